@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Does inverse kinematics miss anything in a thousand random poses of every arm, and what does a pose take? A table.
+// Does inverse kinematics miss anything in a thousand random poses of every arm, and what does a
+// pose take? A table.
 //
 //   arm_poses [--poses N] [--hunted N] [--starts N] [--together] [--disturbed SIZE] [NAME...]
 //
 //   lost     poses whose own joint values are not among the closures to 1e-9 rad
-//   count    poses whose complex closures are not as many as the arm's kind has;  open: undecided ones
-//   own, fk  farthest own values (rad), largest miss of forward kinematics (matrix entries, metres);  real: closures on the mean
-//   outdone  poses, of the first --hunted ones, for which Newton's method from --starts random places found one more
-//   ms, worst, Newton  CPU time a pose, the longest, and that of Newton's method until it has found as many
+//   count    poses whose complex closures are not as many as the arm's kind has;  open: undecided
+//            ones
+//   own, fk  farthest own values (rad), largest miss of forward kinematics (matrix entries,
+//            metres);  real: closures on the mean
+//   outdone  poses, of the first --hunted ones, for which Newton's method from --starts random
+//            places found one more
+//   ms, worst, Newton  CPU time a pose, the longest, and that of Newton's method until it has found
+//                      as many
 //   alone    poses that no family answered
-// --together: all poses in one call, as --poses does. --disturbed: every number of every origin and axis off by up to SIZE, so that
-// every arm is a general one.
+// --together: all poses in one call, as --poses does. --disturbed: every number of every origin and
+// axis off by up to SIZE, so that every arm is a general one.
 // Exit: 0 nothing is lost, miscounted, open or hunted down, 1 something is, 2 usage.
 #include <cstdio>
 #include <cstdlib>
@@ -100,7 +105,8 @@ struct Tally {
   }
 };
 
-/// Newton's method from random starts: does it end anywhere that is no closure, and how long does it take to find them all?
+/// Newton's method from random starts: does it end anywhere that is no closure, and how long does
+/// it take to find them all?
 void hunt(const Arm& arm, const ArmResult& result, std::uint64_t pose, std::uint64_t starts,
           Tally& tally) {
   constexpr double kSame = 1e-6;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What does a certificate cost? Microseconds a root, in double and in more digits, and how many roots each proves.
+// What does a certificate cost? Microseconds a root, in double and in more digits, and how many
+// roots each proves.
 //
-//   bench_certify FILE...    one thread; roots: Newton's method from random points, then what double leaves of them
+//   bench_certify FILE...    one thread; roots: Newton's method from random points, then what
+//                            double leaves of them
 //
-// The roots are brought to double by Newton's method and moved by some of the last digits, as a tracker leaves them. A root
-// that is found more than once counts each time. CPU time, the fastest of a few rounds.
+// The roots are brought to double by Newton's method and moved by some of the last digits, as a
+// tracker leaves them. A root that is found more than once counts each time. CPU time, the fastest
+// of a few rounds.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>

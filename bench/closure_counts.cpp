@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Is every closure found, whatever the seed and the tracker, and how exactly does each satisfy Phi? A table over many seeds.
+// Is every closure found, whatever the seed and the tracker, and how exactly does each satisfy Phi?
+// A table over many seeds.
 //
 //   closure_counts [--seeds N] [FILE...]     names of problems/mechanisms, without ending
 //
-// A run is short when it is not complete, or when its closures, complex or real, or its paths are not the published ones.
-// residual: the largest |Phi_i| / (sum of the magnitudes of the terms of Phi_i) over all rows, closures and seeds;
+// A run is short when it is not complete, or when its closures, complex or real, or its paths are
+// not the published ones.
+// residual: the largest |Phi_i| / (sum of the magnitudes of the terms of Phi_i) over all rows,
+// closures and seeds;
 // ms: the mean of the time find_closures takes, on one thread.
-// Exit: 0 every run found every closure with residuals of at most 1e-12, 1 some run did not, 2 usage.
+// Exit: 0 every run found every closure with residuals of at most 1e-12, 1 some run did not, 2
+// usage.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Does any verdict hang on the exact value of a number? Each of the endgame's, times and over a factor, on random systems.
+// Does any verdict hang on the exact value of a number? Each of the endgame's, times and over a
+// factor, on random systems.
 //
 //   end_parameters FOLDER [--limit N] [--factor X] [--only NAME]
 //
-// FOLDER: systems.jsonl and truth.jsonl of bench/random_systems/generate and truth. Every system of isolated roots is solved by
-// the lanes, seed 1, one thread. Printed: systems told completely and wrongly, those left open, and the seconds of the CPU.
+// FOLDER: systems.jsonl and truth.jsonl of bench/random_systems/generate and truth. Every system of
+// isolated roots is solved by the lanes, seed 1, one thread. Printed: systems told completely and
+// wrongly, those left open, and the seconds of the CPU.
 // A number that is an integer is rounded. Exit: 0 nothing was wrong, 1 something was, 2 usage.
 #include <cmath>
 #include <cstdio>

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What does a member of a learned family cost, thousands at once, in lanes? A table: microseconds, counts, members in doubt.
+// What does a member of a learned family cost, thousands at once, in lanes? A table: microseconds,
+// counts, members in doubt.
 //
 //   family_members [--members N] [--direct N] [--threads N] [--certify] [NAME...]
 //
 //   four-bar      two unit vectors, crank and link lengths as parameters: 2 roots
 //   jansen        Jansen's leg, six unit vectors, crank and dimensions as parameters: 8
 //   seven-link-*  Assur structures, link vectors and their conjugates as parameters: 14, 16, 18
-//   6R            general arm in its unknown axes, pose as parameters: 16;  stewart: Dietmaier's platform, legs as parameters: 40
+//   6R            general arm in its unknown axes, pose as parameters: 16;  stewart: Dietmaier's
+//                 platform, legs as parameters: 40
 //
-// us: wall microseconds a member, cpu us: CPU time of all threads, which a busy machine changes less; wrong: members without the generic
-// count; judged: those that the ordinary solve had to decide; other real: of the first --direct members, those with another number of real
-// roots than a solve from the ordinary start finds. Members are random, of real linkages.
+// us: wall microseconds a member, cpu us: CPU time of all threads, which a busy machine changes
+// less; wrong: members without the generic count; judged: those that the ordinary solve had to
+// decide; other real: of the first --direct members, those with another number of real roots than a
+// solve from the ordinary start finds. Members are random, of real linkages.
 // Exit: 0 every count is generic, 1 some is not, 2 usage.
 #include <cstdio>
 #include <cstdlib>

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Is the accuracy that is reported true? Every root of the problem set against the same root to fifty digits.
+// Is the accuracy that is reported true? Every root of the problem set against the same root to
+// fifty digits.
 //
-//   honesty [--seeds N] [--threads N] [--paths N] [PROBLEM...]    names of problems/polynomials/index.json
+//   honesty [--seeds N] [--threads N] [--paths N] [PROBLEM...]    names of
+//   problems/polynomials/index.json
 //
-// Without names: every problem of at most --paths paths (total degree). Both trackers, seeds 1 to N. The reference of a
-// regular root is Newton's method in multiprecision from it, with a proved bound; that of a singular root is the
-// point that the index knows exactly. A root without either is counted as such. Ratio: reported over true error, the
-// latter no less than the rounding of a double. Exit: 0 the bar is met in all, 1 it is not, 2 usage.
+// Without names: every problem of at most --paths paths (total degree). Both trackers, seeds 1 to
+// N. The reference of a regular root is Newton's method in multiprecision from it, with a proved
+// bound; that of a singular root is the point that the index knows exactly. A root without either
+// is counted as such. Ratio: reported over true error, the latter no less than the rounding of a
+// double. Exit: 0 the bar is met in all, 1 it is not, 2 usage.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -30,7 +33,8 @@ using moivre::problems::Problem;
 const std::string kFolder = MOIVRE_SOURCE_DIR "/problems/polynomials";
 constexpr int kDigits = 50;
 constexpr double kUnitRoundoff = 0x1p-53;
-// The bar: so many roots are at least as good as they say, and the median claims no more than so much too little.
+// The bar: so many roots are at least as good as they say, and the median claims no more than so
+// much too little.
 constexpr double kHonestShare = 0.999;
 constexpr double kLargestMedian = 100;
 

@@ -3,10 +3,11 @@
 //
 //   hot_path FILE.phc     one thread, CVODE tracker, the default options; no elimination
 //
-// share of a kernel = calls that solve() counted * seconds of one call on the same homotopy / seconds of solve(), all of
-// them CPU time. The kernels are timed one by one with warm caches, so the shares are lower bounds; what is left over is
-// CVODE itself with vectors, norms, endgame and refinement. A triangular solve is counted for every linearization and
-// for every H alone. The system is tracked as it stands in the file, so that it is the one timed.
+// share of a kernel = calls that solve() counted * seconds of one call on the same homotopy /
+// seconds of solve(), all of them CPU time. The kernels are timed one by one with warm caches, so
+// the shares are lower bounds; what is left over is CVODE itself with vectors, norms, endgame and
+// refinement. A triangular solve is counted for every linearization and for every H alone. The
+// system is tracked as it stands in the file, so that it is the one timed.
 #include <algorithm>
 #include <cstdio>
 #include <ctime>

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
-// How close do the lanes' kernels come to what one core can do? Counted flops over time, as a share of the FMA peak.
+// How close do the lanes' kernels come to what one core can do? Counted flops over time, as a share
+// of the FMA peak.
 //
-//   lane_kernels FILE.phc     the file's total-degree homotopy, not eliminated; one thread, every target of the machine
-//   lane_kernels_native FILE.phc     the same compiled with -march=native and without run-time dispatch
+//   lane_kernels FILE.phc     the file's total-degree homotopy, not eliminated; one thread, every
+//                             target of the machine
+//   lane_kernels_native FILE.phc     the same compiled with -march=native and without run-time
+//                                    dispatch
 //
-// Flops are those of the mathematics: a complex product 6, a complex product added to a sum 8, real times complex added 4;
-// pivot search, exchanges of rows and weights count nothing, so a share of 1 is out of reach. The peak is measured:
+// Flops are those of the mathematics: a complex product 6, a complex product added to a sum 8, real
+// times complex added 4;
+// pivot search, exchanges of rows and weights count nothing, so a share of 1 is out of reach. The
+// peak is measured:
 // independent multiply-adds in registers. CPU time, the fastest of some rounds, warm caches.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bench/lane_kernels.cpp"
@@ -103,7 +108,8 @@ HWY_BEFORE_NAMESPACE();
 namespace moivre {
 namespace HWY_NAMESPACE {
 
-/// Flop/s of multiply-adds that wait for nothing. Every chain begins with a number of its own: equal ones would be one.
+/// Flop/s of multiply-adds that wait for nothing. Every chain begins with a number of its own:
+/// equal ones would be one.
 double measure_peak() {
   constexpr std::size_t kChains = 12;  // latency times throughput of FMA units, and some
   constexpr int kTurns = 256;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What do mixed cells cost? Mixed volumes, cells, steps and CPU seconds of families, beside PHCpack's MixedVol and
-// DEMiCs.
+// What do mixed cells cost? Mixed volumes, cells, steps and CPU seconds of families, beside
+// PHCpack's MixedVol and DEMiCs.
 //
-//   mixed_cells [--seeds N] [--no-peer] [FAMILY-N...]    families: cyclic, noon, eco, katsura, reimer
+//   mixed_cells [--seeds N] [--no-peer] [FAMILY-N...]    families: cyclic, noon, eco, katsura,
+//   reimer
 //
-// volume, cells, steps: seed 1; cpu_s: a seed's mean. zero: mixed volume with 0 added to every support; stable: the
-// stable one. phc: `phc -m` where it is on the PATH, its own figure of user seconds for the cells alone; a run of more
-// than ten minutes is left out.
+// volume, cells, steps: seed 1; cpu_s: a seed's mean. zero: mixed volume with 0 added to every
+// support; stable: the stable one. phc: `phc -m` where it is on the PATH, its own figure of user
+// seconds for the cells alone; a run of more than ten minutes is left out.
 // Exit: 0 every peer's mixed volume is ours, 1 some differ, 2 usage.
 #include <cstdio>
 #include <cstdlib>
@@ -125,7 +126,8 @@ double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC
 /// False: a peer's mixed volume is another.
 bool print_peers(const Supports& supports, std::uint64_t volume) {
   bool agree = true;
-  // MixedVol without a random coefficient system, stable mixed volumes or separate file; DEMiCs alike.
+  // MixedVol without a random coefficient system, stable mixed volumes or separate file; DEMiCs
+  // alike.
   for (const auto& [choices, label] : {std::pair{"4\n0\nn\nn\n", "common mixed volume :"},
                                        std::pair{"5\nn\nn\nn\nn\n", "The mixed volume :"}}) {
     const std::optional<PeerRun> run = run_peer(supports, choices, label);

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Do loops of members find the published numbers of roots from one random root, with every seed? A table: counts, standing, seconds.
+// Do loops of members find the published numbers of roots from one random root, with every seed? A
+// table: counts, standing, seconds.
 //
 //   monodromy [--seeds N] [--first SEED] [--threads N] [NAME...]
 //
 //   four-bar 2, seven-link-* 14, 16, 18, 6R 16, stewart 40   as in bench/family
 //   nine-link 56                                             Assur structure 4/4
 //   cyclic-7 924                                             every coefficient is a parameter
-//   three-conics 184                                         conics that touch three conics and pass through two points
-//   five-conics 3264, nine-point 8652                        problems/families; only where they are named
+//   three-conics 184                                         conics that touch three conics and
+//   pass through two points
+//   five-conics 3264, nine-point 8652                        problems/families; only where they are
+//   named
 //
-// found: seeds with the published number, all of them certified; complete: those with a proof or a trace test that holds.
+// found: seeds with the published number, all of them certified; complete: those with a proof or a
+// trace test that holds.
 // Exit: 0 every count is the published one, 1 some is not, 2 usage.
 #include "moivre/family/monodromy.h"
 

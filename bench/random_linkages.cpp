@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Do closures hold on linkages that nobody tuned them to? Random ones, judged by their own pose and by Newton's method.
+// Do closures hold on linkages that nobody tuned them to? Random ones, judged by their own pose and
+// by Newton's method.
 //
-//   random_linkages [--space planar|spatial] [--assemblies] [--seed S] [--first K] [--count N] [--starts N] [--cvode] [--show]
+//   random_linkages [--space planar|spatial] [--assemblies] [--seed S] [--first K] [--count N]
+//   [--starts N] [--cvode] [--show]
 //
-// A linkage is right where its own pose, which is isolated, is among the closures, closures are different poses that satisfy every
-// constraint, another random seed counts as many complex ones, and Newton's method from random starts, rounds of N until one brings
-// nothing new, comes to no regular pose that is not among them. With --assemblies groups on cranks are drawn, with gears and idle wheels
-// (random_assemblies.h). Printed: every linkage that is not right, with its number, and the sums. With --show the first linkage as a
-// mechanism file.
+// A linkage is right where its own pose, which is isolated, is among the closures, closures are
+// different poses that satisfy every constraint, another random seed counts as many complex ones,
+// and Newton's method from random starts, rounds of N until one brings nothing new, comes to no
+// regular pose that is not among them. With --assemblies groups on cranks are drawn, with gears and
+// idle wheels (random_assemblies.h). Printed: every linkage that is not right, with its number, and
+// the sums. With --show the first linkage as a mechanism file.
 // Exit: 0 none is wrong, 1 some are, 2 usage.
 #include <cstdio>
 #include <ctime>

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Is every root found, whatever the seed, the tracker and the start? A table of roots, failures, retracks, steps and CPU time.
+// Is every root found, whatever the seed, the tracker and the start? A table of roots, failures,
+// retracks, steps and CPU time.
 //
-//   root_counts [--tracker cvode|lanes|both] [--start KIND|all] [--seeds N] [--threads N] [PROBLEM...]
+//   root_counts [--tracker cvode|lanes|both] [--start KIND|all] [--seeds N] [--threads N]
+//   [PROBLEM...]
 //                                                         names of problems/polynomials/index.json
 //
-// KIND: auto (the default), total-degree, multihomogeneous, polyhedral; all: the last three, each by itself.
-// A run is short when it is not complete, when roots, with multiplicity, differ from the index, or when a root is apart:
-// farther from every root of the problem's first run than both are known. Roots and real roots are the
-// least and the most of all seeds; steps are accepted and rejected ones of all seeds; CPU seconds are a seed's mean.
+// KIND: auto (the default), total-degree, multihomogeneous, polyhedral; all: the last three, each
+// by itself.
+// A run is short when it is not complete, when roots, with multiplicity, differ from the index, or
+// when a root is apart:
+// farther from every root of the problem's first run than both are known. Roots and real roots are
+// the least and the most of all seeds; steps are accepted and rejected ones of all seeds; CPU
+// seconds are a seed's mean.
 // Lanes have CVODE as their fallback; handed: paths that went to it.
 // Exit: 0 every run found every root, 1 some run was short, 2 usage.
 #include <algorithm>

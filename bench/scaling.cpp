@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Do twice the cores track twice as fast? Wall and CPU time of tracking over thread counts, and where the rest went.
+// Do twice the cores track twice as fast? Wall and CPU time of tracking over thread counts, and
+// where the rest went.
 //
-//   scaling [--tracker cvode|lanes] [--repeat N] [--threads N] [PROBLEM...]     names of problems/polynomials
+//   scaling [--tracker cvode|lanes] [--repeat N] [--threads N] [PROBLEM...]     names of
+//   problems/polynomials
 //
-// One process, its pool of threads warm; thread counts 1..N take turns in every repeat, so that what else the machine does
-// meets all of them. Of tracking (SolveTime::track), k threads:
+// One process, its pool of threads warm; thread counts 1..N take turns in every repeat, so that
+// what else the machine does meets all of them. Of tracking (SolveTime::track), k threads:
 //
 //   efficiency   T_1 / (k T_k), of medians and of minima
-//   late         mean time after the first session's begin at which a session begins (threads waking, sessions opening)
-//   idle at end  mean time before the last session's end at which a session ends (the last paths drain)
+//   late         mean time after the first session's begin at which a session begins (threads
+//                waking, sessions opening)
+//   idle at end  mean time before the last session's end at which a session ends (the last paths
+//                drain)
 //
-// late and idle are those of the run with the least wall time. The cold start is the process's first run on all threads.
+// late and idle are those of the run with the least wall time. The cold start is the process's
+// first run on all threads.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Does a motion find every branch that lives for a moment only? Random six-bars whose dead points are known (short_lives.h).
+// Does a motion find every branch that lives for a moment only? Random six-bars whose dead points
+// are known (short_lives.h).
 //
-//   short_branches [--kind island|gap|fold-back]... [--share X]... [--seed S] [--first K] [--count N] [--cvode] [--list] [--show]
+//   short_branches [--kind island|gap|fold-back]... [--share X]... [--seed S] [--first K] [--count
+//   N] [--cvode] [--list] [--show]
 //
-// Each six-bar has two dead points that are `share` of a turn apart. It moves through one turn. A dead point is found where the motion has
-// one within kSameTime of a turn. What is not found may still be told: the motion is not complete, or it says of a pose for an instant
-// there. `off` is the largest error of a time, of a turn. With --list each six-bar that is not right is named, with --show the first one is
-// written as a mechanism file.
+// Each six-bar has two dead points that are `share` of a turn apart. It moves through one turn. A
+// dead point is found where the motion has one within kSameTime of a turn. What is not found may
+// still be told: the motion is not complete, or it says of a pose for an instant there. `off` is
+// the largest error of a time, of a turn. With --list each six-bar that is not right is named, with
+// --show the first one is written as a mechanism file.
 // Exit: 0 every dead point was found, 1 some were not, 2 usage.
 #include <cstdio>
 #include <ctime>
@@ -108,7 +111,8 @@ double miss(const MotionResult& motion, double time) {
   return least;
 }
 
-/// Whether the motion says itself that something is amiss, has an event of another kind there, or a pose for an instant.
+/// Whether the motion says itself that something is amiss, has an event of another kind there, or a
+/// pose for an instant.
 bool is_told(const MotionResult& motion, double time) {
   constexpr double kThere = 1e-6 * kTurn_s;
   if (!motion.complete) return true;

@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Is every closure of the spatial mechanisms found, whatever the seed and the tracker, also with every dimension a little off?
+// Is every closure of the spatial mechanisms found, whatever the seed and the tracker, also with
+// every dimension a little off?
 //
-//   spatial_counts [--seeds N] [--turned] [--off SHARE]... [FILE...]     names of problems/mechanisms, without ending
+//   spatial_counts [--seeds N] [--turned] [--off SHARE]... [FILE...]     names of
+//   problems/mechanisms, without ending
 //
-// off: every dimension is off by up to this share, at random by the seed (tests/closures/spatial_counts.h); 0, 1e-2 and 1e-9 where no
-// --off is given. --turned: as typed, but in frames turned at random by the seed; without mechanisms whose angles are driven.
-// A run is short when it is not complete, or a closure that may have a certificate has none, or when its closures are not those of the
-// mechanism, or of its general class; as typed, also when real closures, paths or the dimension of a motion are not those expected.
-// residual: of Phi, the largest over all closures and seeds; ms: the mean of the time find_closures takes, on one thread. Each short
-// seed stands with the complex closures found there, ? where paths failed.
-// Exit: 0 every run found every closure with residuals of at most 1e-12, 1 some run did not, 2 usage.
+// off: every dimension is off by up to this share, at random by the seed
+// (tests/closures/spatial_counts.h); 0, 1e-2 and 1e-9 where no --off is given. --turned: as typed,
+// but in frames turned at random by the seed; without mechanisms whose angles are driven.
+// A run is short when it is not complete, or a closure that may have a certificate has none, or
+// when its closures are not those of the mechanism, or of its general class; as typed, also when
+// real closures, paths or the dimension of a motion are not those expected.
+// residual: of Phi, the largest over all closures and seeds; ms: the mean of the time find_closures
+// takes, on one thread. Each short seed stands with the complex closures found there, ? where paths
+// failed.
+// Exit: 0 every run found every closure with residuals of at most 1e-12, 1 some run did not, 2
+// usage.
 #include "spatial_counts.h"
 
 #include <algorithm>

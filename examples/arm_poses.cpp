@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// In how many ways does a robot reach each of a thousand poses? All inverse kinematics, in flat buffers.
+// In how many ways does a robot reach each of a thousand poses? All inverse kinematics, in flat
+// buffers.
 #include <algorithm>
 #include <iostream>
 #include <map>

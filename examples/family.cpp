@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For which radii do a circle and a hyperbola meet in real points? One family, learned once, and a table of its members' roots.
+// For which radii do a circle and a hyperbola meet in real points? One family, learned once, and a
+// table of its members' roots.
 #include <iostream>
 #include <vector>
 

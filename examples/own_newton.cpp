@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where should my own Newton solve begin? At every root of a polynomial model; then Newton's method on the function itself.
+// Where should my own Newton solve begin? At every root of a polynomial model; then Newton's method
+// on the function itself.
 #include <cmath>
 #include <iostream>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where do the roots that I know go when the numbers change? A parameter homotopy from one's own start points.
+// Where do the roots that I know go when the numbers change? A parameter homotopy from one's own
+// start points.
 #include <iostream>
 
 #include "moivre/moivre.h"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What does an outsider need? All of it by one header: systems, roots, families, mechanisms, closures, motions, arms, reports.
+// What does an outsider need? All of it by one header: systems, roots, families, mechanisms,
+// closures, motions, arms, reports.
 //
-// Of what was left out when Moivre was configured the headers are not there, and are not included. docs/library.md shows their use.
+// Of what was left out when Moivre was configured the headers are not there, and are not included.
+// docs/library.md shows their use.
 // Every call refuses what cannot be meant by one exception (numeric/invalid_input.h).
 #pragma once
 

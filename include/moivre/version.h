@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which Moivre is compiled against? Its version as macros, for #if; moivre::version() is that of the library in use.
+// Which Moivre is compiled against? Its version as macros, for #if; moivre::version() is that of
+// the library in use.
 //
-// The one place where the version stands: the build reads it here. Below 1.0 a new minor version may change the interface.
+// The one place where the version stands: the build reads it here. Below 1.0 a new minor version
+// may change the interface.
 #pragma once
 
 #define MOIVRE_VERSION_MAJOR 0

@@ -127,7 +127,8 @@ Postures postures(const std::shared_ptr<NamedArm>& arm, const Doubles& given, bo
   });
 }
 
-/// write(closure, row): the row of each posture in an array (poses, width, numbers) of NaN; (poses, width) of one number.
+/// write(closure, row): the row of each posture in an array (poses, width, numbers) of NaN; (poses,
+/// width) of one number.
 template <class Write>
 py::array_t<double> padded(const Postures& run, std::size_t width, std::size_t numbers,
                            Write write) {
@@ -287,7 +288,8 @@ py::list motions_of(const Postures& run, std::size_t pose) {
   return list;
 }
 
-/// (joint values, misfit) of the posture that comes nearest to a pose which none holds; None elsewhere.
+/// (joint values, misfit) of the posture that comes nearest to a pose which none holds; None
+/// elsewhere.
 py::object nearest_of(const Postures& run, std::size_t pose) {
   if (pose >= run.results.size() || !run.results[pose].nearest) return py::none();
   const NearestPosture& nearest = *run.results[pose].nearest;

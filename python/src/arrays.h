@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How do lists of the library become numpy's arrays? One number an item, or a row of numbers an item.
+// How do lists of the library become numpy's arrays? One number an item, or a row of numbers an
+// item.
 #pragma once
 
 #include <pybind11/numpy.h>

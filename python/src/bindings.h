@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which parts has the compiled half of the Python module? Each binds one subject; python/moivre/ gives it its face.
+// Which parts has the compiled half of the Python module? Each binds one subject; python/moivre/
+// gives it its face.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which tracker, and which options of a solve, does a dictionary of Python name? The words are those of the command line.
+// Which tracker, and which options of a solve, does a dictionary of Python name? The words are
+// those of the command line.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -14,7 +15,8 @@
 
 namespace moivre::python {
 
-/// The one that is chosen, and the other, which takes over what it leaves in doubt (nullptr where it was not built).
+/// The one that is chosen, and the other, which takes over what it leaves in doubt (nullptr where
+/// it was not built).
 struct Trackers {
   std::unique_ptr<Tracker> chosen;
   std::unique_ptr<Tracker> other;
@@ -31,7 +33,8 @@ constexpr const char* wanted() {
   return "a text";
 }
 
-/// The value of an option. Throws std::invalid_argument, with its name, where it is of another kind.
+/// The value of an option. Throws std::invalid_argument, with its name, where it is of another
+/// kind.
 template <class Value>
 Value option_value(const std::string& name, const pybind11::handle& given) {
   try {
@@ -42,17 +45,21 @@ Value option_value(const std::string& name, const pybind11::handle& given) {
   }
 }
 
-/// choice["tracker"]: "cvode" (the default where it was built) or "lanes"; choice["tracker_options"]: a dictionary, by the options' names in
-/// JSON. Throws std::invalid_argument.
+/// choice["tracker"]: "cvode" (the default where it was built) or "lanes";
+/// choice["tracker_options"]: a dictionary, by the options' names in JSON. Throws
+/// std::invalid_argument.
 Trackers make_trackers(const pybind11::dict& choice);
 
-/// seed, start, threads, slice, precision, certify, every_path. Throws std::invalid_argument. `trackers` must outlive the options.
+/// seed, start, threads, slice, precision, certify, every_path. Throws std::invalid_argument.
+/// `trackers` must outlive the options.
 SolveOptions solve_options(const pybind11::dict& choice, const Trackers& trackers);
 
-/// choice["time_limit"], beside the function that is told of progress. Throws std::invalid_argument.
+/// choice["time_limit"], beside the function that is told of progress. Throws
+/// std::invalid_argument.
 Terms terms_of(const pybind11::dict& choice, const pybind11::object& progress);
 
-/// The same options, whose progress counts in `oversight`: of a thread that works, which may touch nothing of Python's.
+/// The same options, whose progress counts in `oversight`: of a thread that works, which may touch
+/// nothing of Python's.
 SolveOptions overseen_by(Oversight& oversight, SolveOptions options);
 
 }  // namespace moivre::python

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Mechanisms for Python: closures, motion, sweeps and sensitivities as arrays, and every report of the library.
+// Mechanisms for Python: closures, motion, sweeps and sensitivities as arrays, and every report of
+// the library.
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The compiled half of the Python module: its parts, and how the library's exceptions become Python's.
+// The compiled half of the Python module: its parts, and how the library's exceptions become
+// Python's.
 #include "bindings.h"
 #include "moivre/expression/source.h"
 #include "moivre/report/version.h"
@@ -20,7 +21,8 @@ py::list faults_of(const ParseError& error) {
   return faults;
 }
 
-/// moivre.ParseError is Python's own (python/moivre/_errors.py), so that it can be pickled and documented there.
+/// moivre.ParseError is Python's own (python/moivre/_errors.py), so that it can be pickled and
+/// documented there.
 void translate(std::exception_ptr raised) {
   try {
     if (raised) std::rethrow_exception(raised);

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How does Python stay in charge while the library works? The work has a thread of its own, without Python's lock; the caller's
-// thread looks for Ctrl-C and tells of progress.
+// How does Python stay in charge while the library works? The work has a thread of its own, without
+// Python's lock; the caller's thread looks for Ctrl-C and tells of progress.
 //
-// The first Ctrl-C asks the work to stop, and what is finished is the result; a second one is Python's KeyboardInterrupt, raised as soon
-// as the work has stopped. An exception of the progress function likewise ends the work, and is passed on. Both are looked for
-// every kGlance, so that no path waits for Python. A limit of time asks as the first Ctrl-C does.
+// The first Ctrl-C asks the work to stop, and what is finished is the result; a second one is
+// Python's KeyboardInterrupt, raised as soon as the work has stopped. An exception of the progress
+// function likewise ends the work, and is passed on. Both are looked for every kGlance, so that no
+// path waits for Python. A limit of time asks as the first Ctrl-C does.
 #pragma once
 
 #include <pybind11/pybind11.h>

@@ -7,7 +7,8 @@
 
 namespace moivre::python {
 
-/// Throws std::invalid_argument, whose text begins with `where`, unless the matrix is a rotation and a translation to six digits.
+/// Throws std::invalid_argument, whose text begins with `where`, unless the matrix is a rotation
+/// and a translation to six digits.
 Eigen::Isometry3d pose_of(const Eigen::Matrix4d& matrix, const std::string& where);
 
 }  // namespace moivre::python

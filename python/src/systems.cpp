@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Systems for Python: from text, from exact numbers, from arrays of doubles; their roots as arrays and reports.
+// Systems for Python: from text, from exact numbers, from arrays of doubles; their roots as arrays
+// and reports.
 #include <pybind11/complex.h>
 #include <pybind11/stl.h>
 

@@ -18,7 +18,8 @@ using Eigen::VectorXd;
 constexpr double kOnePlace = 0.02;
 constexpr double kSlide = 0.1;
 
-/// Whether the axes before and behind the joint pass through its origin: the middle of a wrist, whose flip would not be seen.
+/// Whether the axes before and behind the joint pass through its origin: the middle of a wrist,
+/// whose flip would not be seen.
 bool is_between_meeting_axes(const Arm& arm, std::size_t k) {
   if (k == 0 || k + 1 == arm.joints.size()) return false;
   const Eigen::Isometry3d& before = arm.joints[k].before;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What of an arm can be drawn? A mechanism of points and axes: a body a link, a joint where its symbol is to stand.
+// What of an arm can be drawn? A mechanism of points and axes: a body a link, a joint where its
+// symbol is to stand.
 //
-// Joint k's symbol stands at its origin. Where neighbours' origins are in one place all but the last are slid along their own axes, and so
-// is the middle joint of a wrist: that changes no motion, and the links between them are then seen, as is a wrist that has flipped.
+// Joint k's symbol stands at its origin. Where neighbours' origins are in one place all but the
+// last are slid along their own axes, and so is the middle joint of a wrist: that changes no
+// motion, and the links between them are then seen, as is a wrist that has flipped.
 // Points are named 1, 2, ... by joint; the tip has its link's name.
 #pragma once
 

@@ -84,7 +84,8 @@ Corrected corrected(const Arm& arm, const Placement<Complex>& pose, double contr
                     JointVector<Complex>& q) {
   /// Radians: a prediction that is farther off may be another path's.
   constexpr double kFarthest = 0.1;
-  /// Steps that are smaller may be rounding's, next to a singular posture; they lead to no other path.
+  /// Steps that are smaller may be rounding's, next to a singular posture; they lead to no other
+  /// path.
   constexpr double kRounding = 1e-9, kMostRounding = 1e-5;
   Corrected result;
   const JointVector<Complex> one = newton_step(arm, pose, q);
@@ -162,8 +163,8 @@ TipWay tip_way(const Eigen::Isometry3d& begin, const Eigen::Isometry3d& end, dou
 
 namespace {
 
-/// Whether every motion of the joints moves the tip. On a set of closures steps along it are none of Newton's, which then contracts
-/// at any of its points, complex ones too.
+/// Whether every motion of the joints moves the tip. On a set of closures steps along it are none
+/// of Newton's, which then contracts at any of its points, complex ones too.
 bool is_regular(const Arm& arm, const JointVector<Complex>& q) {
   constexpr double kRounding = 1e-13;  // what the tip seems to move by where it stands
   const Eigen::Matrix<Complex, 6, 6> square = tip_motion<Complex>(arm, q).screws;

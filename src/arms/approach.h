@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Which closures of a pose does a closure of another pose become, when the tip goes from there to here?
+// Which closures of a pose does a closure of another pose become, when the tip goes from there to
+// here?
 //
-// The tip's way, s from 0 to 1, is complex in between, so that no two closures meet on it before its end (the way avoids the
-// singular poses, which have real codimension 2 in it):
+// The tip's way, s from 0 to 1, is complex in between, so that no two closures meet on it before
+// its end (the way avoids the singular poses, which have real codimension 2 in it):
 //   R(s) = R_0 exp(u [w]),  p(s) = p_0 + u (p_1 - p_0),  u(s) = s + i detour s (1 - s),
 //   w the rotation vector of R_0^T R_1.
-// All joint values, complex ones too, follow by Newton's method on the product of transforms, as typed; no polynomial is seen here.
+// All joint values, complex ones too, follow by Newton's method on the product of transforms, as
+// typed; no polynomial is seen here.
 // Where they end:
 //   regular    Newton's method contracts at the pose itself: a simple closure
-//   singular   it contracts as near to the pose as rounding allows, but not there: closures meet, or a set of closures is there
+//   singular   it contracts as near to the pose as rounding allows, but not there: closures meet,
+//              or a set of closures is there
 //   infinite   joints without end: a slide that leaves, an angle whose tangent becomes +-i
 //   lost       none of these
 #pragma once
@@ -38,11 +41,13 @@ struct TipWay {
 };
 TipWay tip_way(const Eigen::Isometry3d& begin, const Eigen::Isometry3d& end, double detour);
 
-/// `contraction`: by how much a second Newton step must be smaller than the first; smaller is more careful.
+/// `contraction`: by how much a second Newton step must be smaller than the first; smaller is more
+/// careful.
 ApproachEnd approach(const Arm& arm, const TipWay& way, const JointVector<Complex>& start,
                      double contraction = 0.1);
 
-/// Newton's method at one pose. False where it does not contract, goes farther than `farthest`, or ends on a set of closures.
+/// Newton's method at one pose. False where it does not contract, goes farther than `farthest`, or
+/// ends on a set of closures.
 bool correct_at(const Arm& arm, const Placement<Complex>& pose, JointVector<Complex>& values,
                 double farthest, double& accuracy);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The way from the base to the tip, joint by joint; what is wrong with a choice of links and held joints.
+// The way from the base to the tip, joint by joint; what is wrong with a choice of links and held
+// joints.
 #include "moivre/arms/arm.h"
 
 #include <cmath>
@@ -121,7 +122,8 @@ ArmJoint free_joint(const RobotJoint& joint, const Walk& walk, bool is_backwards
   return free;
 }
 
-/// By how much a typed number may differ from the one that is meant. Numbers of few decimals are meant as they stand.
+/// By how much a typed number may differ from the one that is meant. Numbers of few decimals are
+/// meant as they stand.
 double rounding_of(const Rational& number, bool is_angle) {
   constexpr int kFewDecimals = 3;
   if (is_angle) {
@@ -142,7 +144,8 @@ Rounding rounding_of(const RobotJoint& joint) {
   return rounding;
 }
 
-/// Passes a joint that does not move, and the origin of one that does; that one is added to the arm.
+/// Passes a joint that does not move, and the origin of one that does; that one is added to the
+/// arm.
 void pass(const Robot& robot, const Passage& passage, const std::vector<HeldJoint>& held, Arm& arm,
           Walk& walk) {
   const RobotJoint& joint = robot.joints[passage.joint];

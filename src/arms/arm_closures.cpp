@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A regular pose with all its closures, once for the arm; the way from there to every pose asked; what is found there.
+// A regular pose with all its closures, once for the arm; the way from there to every pose asked;
+// what is found there.
 #include "moivre/arms/arm_closures.h"
 
 #include <algorithm>
@@ -30,7 +31,8 @@ namespace moivre {
 namespace {
 
 constexpr std::size_t kSixJoints = 6;
-/// Searches from random postures: where sets are, and as a witness of a pose alone. Of a list every kWitnessed-th pose has one.
+/// Searches from random postures: where sets are, and as a witness of a pose alone. Of a list every
+/// kWitnessed-th pose has one.
 constexpr std::uint64_t kForSets = 40, kAsWitness = 4, kWitnessed = 8;
 /// Poses from which on a family pays, and those that are followed together, a thread.
 constexpr std::size_t kWorthAFamily = 8, kTogether = 128;
@@ -62,7 +64,8 @@ PreparedArm prepare(const Arm& arm, const Tracker& tracker, const SolveOptions& 
   const auto idle =
       idle_in_every_posture(arm, options.seed, std::max(kRounding, kDigits * arm.rounding));
   prepared.is_always_moving = !idle.empty();
-  // A plane of joint space has a posture for any value of a joint that is held; a curved set may have none.
+  // A plane of joint space has a posture for any value of a joint that is held; a curved set may
+  // have none.
   std::uint64_t tries = 1;
   if (prepared.is_always_moving) {
     const Eigen::VectorXd any = random_joint_values(arm, options.seed, kBehindOthers);
@@ -81,7 +84,8 @@ PreparedArm prepare(const Arm& arm, const Tracker& tracker, const SolveOptions& 
   return prepared;
 }
 
-/// All closures of the regular pose on their way to this one; ways differ until nothing speaks against what they lead to.
+/// All closures of the regular pose on their way to this one; ways differ until nothing speaks
+/// against what they lead to.
 std::vector<ApproachEnd> approach_all(const Beginning& beginning, const Eigen::Isometry3d& pose,
                                       std::uint64_t seed, bool& is_consistent) {
   constexpr std::uint64_t kWays = 4, kBehindOthers = 5000;
@@ -149,7 +153,8 @@ struct Arrivals {
   std::vector<Eigen::VectorXd> between_pairs;
 };
 
-/// Enters the closures of regular ends, and what singular ones lead to; these are explained when all is entered.
+/// Enters the closures of regular ends, and what singular ones lead to; these are explained when
+/// all is entered.
 /// False where a regular end is no posture.
 bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends, PostureList& list,
                ArmResult& result, Arrivals& arrivals) {
@@ -190,9 +195,10 @@ bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
   return are_read;
 }
 
-/// Enters what the formula found, where nothing but its real closures may hold the pose; otherwise nothing, and false.
-/// Beside a pair with imaginary parts y whose Jacobian has a smallest singular value s the pose is missed by y s / 2 at the least; where
-/// an added joint stands at x, by s x.
+/// Enters what the formula found, where nothing but its real closures may hold the pose; otherwise
+/// nothing, and false.
+/// Beside a pair with imaginary parts y whose Jacobian has a smallest singular value s the pose is
+/// missed by y s / 2 at the least; where an added joint stands at x, by s x.
 bool read_found(const Beginning& beginning, const FoundClosures& found, PostureList& list,
                 ArmResult& result) {
   constexpr double kNearlyReal = 0.1, kClearly = 8, kMargin = 10;
@@ -233,8 +239,8 @@ bool read_found(const Beginning& beginning, const FoundClosures& found, PostureL
 /// Paths stop before they are there, where three and more meet.
 constexpr double kNear = 0.03;
 
-/// The nearest closure that the path may have come to. One path alone comes to a simple closure, however near to singular it is; with joints
-/// that were added to an arm's own several may.
+/// The nearest closure that the path may have come to. One path alone comes to a simple closure,
+/// however near to singular it is; with joints that were added to an arm's own several may.
 std::optional<std::size_t> closure_of(const SingularEnd& end, const PostureList& list,
                                       const Arrivals& arrivals) {
   constexpr double kSingular = 1e-3;
@@ -259,7 +265,8 @@ bool is_at_set(const SingularEnd& end, const PostureList& list, bool within_digi
   });
 }
 
-/// Whether the end is at a set or a closure that is listed. On a set that is there within the digits only, the arm as typed has closures.
+/// Whether the end is at a set or a closure that is listed. On a set that is there within the
+/// digits only, the arm as typed has closures.
 bool is_at_listed(const SingularEnd& end, PostureList& list, Arrivals& arrivals,
                   ArmResult& result) {
   if (is_at_set(end, list, false)) return true;
@@ -272,14 +279,15 @@ bool is_at_listed(const SingularEnd& end, PostureList& list, Arrivals& arrivals,
   return true;
 }
 
-/// Whether the end is at a set or a closure that is listed, or at one that is found next to it, or at a singular one that is not real or not
-/// the arm's own.
+/// Whether the end is at a set or a closure that is listed, or at one that is found next to it, or
+/// at a singular one that is not real or not the arm's own.
 bool is_explained(const SingularEnd& end, PostureList& list, Arrivals& arrivals,
                   ArmResult& result) {
   constexpr double kNotReal = 1e-2, kFarBefore = 0.1, kClearly = 4;
   constexpr std::uint64_t kBeside = 16, kBehindOthers = 20'000;
   const double clear = kClearly * end.to_go;
-  // A path that stopped far before its end tells nothing of it, unless it was farther still from what is real.
+  // A path that stopped far before its end tells nothing of it, unless it was farther still from
+  // what is real.
   const bool stopped_early = end.to_go > kFarBefore;
   if (!stopped_early && is_at_listed(end, list, arrivals, result)) return true;
   if (end.added > std::max(kNear, clear)) return true;
@@ -302,7 +310,8 @@ bool hold_between(const PostureList& list, const ArmClosure& closure,
   return leads_to(list.arm, list.pose, from, way, list.accuracy);
 }
 
-/// Whether a place that holds the pose within its accuracy is of a set or a closure that is listed: near to it, or the pose is held half way, too.
+/// Whether a place that holds the pose within its accuracy is of a set or a closure that is listed:
+/// near to it, or the pose is held half way, too.
 bool is_listed(const PostureList& list, const Eigen::VectorXd& place) {
   constexpr double kLongestWay = 0.3;
   return std::any_of(list.moves.begin(), list.moves.end(),
@@ -313,7 +322,8 @@ bool is_listed(const PostureList& list, const Eigen::VectorXd& place) {
          });
 }
 
-/// Searches from random postures: for sets, of which paths show few postures, and as a witness that nothing is missing.
+/// Searches from random postures: for sets, of which paths show few postures, and as a witness that
+/// nothing is missing.
 void search(PostureList& list, ArmResult& result, std::uint64_t count) {
   constexpr std::uint64_t kBehindOthers = 100;
   constexpr double kRegular = 1e-5;
@@ -321,7 +331,8 @@ void search(PostureList& list, ArmResult& result, std::uint64_t count) {
     const PostureEntry entry =
         enter(list, random_joint_values(list.arm, list.seed, kBehindOthers + k), true);
     if (entry.kind != PostureEntry::Kind::closure || !entry.is_new) continue;
-    // Where closures meet paths may be read as one; a closure that stands clearly alone has a path of its own.
+    // Where closures meet paths may be read as one; a closure that stands clearly alone has a path
+    // of its own.
     const ArmClosure& closure = list.closures[entry.index];
     if (closure.smallest_singular_value > kRegular && !closure.within_digits) {
       result.complete = false;
@@ -498,7 +509,8 @@ ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at, const Kn
   for (const Eigen::VectorXd& place : list.places) {
     if (!is_listed(list, place)) result.complete = false;
   }
-  // A posture within the digits would be told: there may be one where Newton's method did not come to an end.
+  // A posture within the digits would be told: there may be one where Newton's method did not come
+  // to an end.
   const bool may_be_held = list.nearest && list.nearest->misfit <= list.accuracy + arm.rounding;
   if (list.closures.empty() && list.moves.empty() && may_be_held) result.complete = false;
   name_closures(list.closures);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Groups of three first, then the pair whose axes are farthest from meeting and from being parallel.
+// Groups of three first, then the pair whose axes are farthest from meeting and from being
+// parallel.
 #include "cut.h"
 
 #include <Eigen/Core>
@@ -11,11 +12,13 @@
 namespace moivre {
 namespace {
 
-/// Pairs that are nearer to meeting or to being parallel, beside the arm's size, are taken as if they were: the equations
-/// for that hold for all pairs, and the others lose as many digits as this has zeros.
+/// Pairs that are nearer to meeting or to being parallel, beside the arm's size, are taken as if
+/// they were: the equations for that hold for all pairs, and the others lose as many digits as this
+/// has zeros.
 constexpr double kLeastQuality = 1e-5;
 
-/// A pair with a slide is taken only where others are nearly special: its space also holds slides that leave.
+/// A pair with a slide is taken only where others are nearly special: its space also holds slides
+/// that leave.
 constexpr double kSlidePenalty = 1e-3;
 
 using Columns = Eigen::Matrix<double, 8, Eigen::Dynamic>;
@@ -28,14 +31,16 @@ Columns unit_columns(const std::vector<RealDisplacement>& all) {
   return columns;
 }
 
-/// Study's form between the products 1 1 and step step, whose coordinates it couples: a sin(twist), beside the arm's size.
+/// Study's form between the products 1 1 and step step, whose coordinates it couples: a sin(twist),
+/// beside the arm's size.
 double quality(const Columns& products) {
   const auto first = products.col(0);
   const auto last = products.col(3);
   return std::abs(first.head<4>().dot(last.tail<4>()) + first.tail<4>().dot(last.head<4>()));
 }
 
-/// Whether rank 4 of a pair's products with a third joint is not out of the question: exact ranks cost more than this.
+/// Whether rank 4 of a pair's products with a third joint is not out of the question: exact ranks
+/// cost more than this.
 bool may_be_group(const Loop& loop, std::size_t first) {
   constexpr double kClearlyMore = 1e-6;
   const auto& [before, one, step] = loop.joints[first + 2].rounded;
@@ -98,7 +103,8 @@ Cut cut_of_two(const Loop& loop, CutPlace place) {
   return cut;
 }
 
-/// Two slides that leave take the whole product to 0, whatever the others do: such a set is better at infinity.
+/// Two slides that leave take the whole product to 0, whatever the others do: such a set is better
+/// at infinity.
 void choose_chart(const Loop& loop, Cut& cut) {
   constexpr int kChart = 3;
   const auto slides = std::count_if(cut.outside.begin(), cut.outside.end(),

@@ -5,7 +5,8 @@
 namespace moivre {
 namespace {
 
-/// Coefficients beside the largest are kept to so many bits: twice what the paths are followed with at the most.
+/// Coefficients beside the largest are kept to so many bits: twice what the paths are followed with
+/// at the most.
 constexpr std::size_t kBits = 256;
 
 using Row = std::vector<Integer>;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which equations hold for the joints outside the cut? Polynomials in their tangents, one for each.
 //
-// The product of the rest of the loop, backwards, must lie in the cut's space W. Where there are more equations than unknowns,
-// random combinations of them; roots that fail one are found out when they are read back.
+// The product of the rest of the loop, backwards, must lie in the cut's space W. Where there are
+// more equations than unknowns, random combinations of them; roots that fail one are found out when
+// they are read back.
 #pragma once
 
 #include <cstddef>
@@ -42,7 +43,8 @@ std::vector<DualQuaternion<S>> combinations(const std::vector<DualQuaternion<S>>
 /// t1, t2, ...: of the joints outside.
 std::vector<std::string> tangent_names(const Cut& cut);
 
-/// Unknowns t1, t2, ...: the tangents s/c of cut.outside, in that order; none where all joints are inside.
+/// Unknowns t1, t2, ...: the tangents s/c of cut.outside, in that order; none where all joints are
+/// inside.
 System cut_equations(const Loop& loop, const Cut& cut, std::uint64_t seed);
 
 }  // namespace moivre

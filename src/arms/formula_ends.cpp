@@ -19,7 +19,8 @@ constexpr double kContracts = 0.1;
 /// What forward kinematics may be wrong by.
 constexpr double kRounding = 1e-15;
 
-/// Second derivatives in a neighbourhood, beside the squares of the screws; 2 at the posture itself.
+/// Second derivatives in a neighbourhood, beside the squares of the screws; 2 at the posture
+/// itself.
 constexpr double kNeighbourhood = 4;
 
 using Matrix6 = Eigen::Matrix<Complex, 6, 6>;

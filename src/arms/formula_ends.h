@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Are the closures that a formula proposes all that a pose has? Then no path has to be followed to it.
+// Are the closures that a formula proposes all that a pose has? Then no path has to be followed to
+// it.
 //
-// A regular pose has N closures, complex ones too. No pose has more that stand alone; and one that has N simple closures has
-// nothing else, sets neither: the map from joint values to poses covers poses N times, and a fibre of it has as many connected pieces
-// at the most, since poses are smooth (Zariski's main theorem). So the proposals answer where Newton's method on the arm as typed leads from
-// them to N closures that are simple and different. Which formula it was does not matter. Simple is what Kantorovich's theorem says is so:
-//   |step| |J^-1| K <= 1/2,  K >= |second derivatives|: 2 |screws|^2 bounds them, brackets of two screws each
+// A regular pose has N closures, complex ones too. No pose has more that stand alone; and one that
+// has N simple closures has nothing else, sets neither: the map from joint values to poses covers
+// poses N times, and a fibre of it has as many connected pieces at the most, since poses are smooth
+// (Zariski's main theorem). So the proposals answer where Newton's method on the arm as typed leads
+// from them to N closures that are simple and different. Which formula it was does not matter.
+// Simple is what Kantorovich's theorem says is so:
+//   |step| |J^-1| K <= 1/2,  K >= |second derivatives|: 2 |screws|^2 bounds them, brackets of two
+//                            screws each
 // or, where that is too coarse, with |J^-1 second derivatives| in the place of |J^-1| K.
 // Where anything falls short there is no answer here.
 #pragma once

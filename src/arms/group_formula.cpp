@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Quadratics in cosines and sines, real as long as their roots are; a quartic where neighbouring axes are skew.
+// Quadratics in cosines and sines, real as long as their roots are; a quartic where neighbouring
+// axes are skew.
 #include "group_formula.h"
 
 #include <Eigen/LU>
@@ -100,7 +101,8 @@ Complex angle(const Turn<Complex>& turn) {
   return -i * std::log(turn.c + i * turn.s);
 }
 
-/// The joints outside, in the order in which they are found, and what is known of the loop at one pose.
+/// The joints outside, in the order in which they are found, and what is known of the loop at one
+/// pose.
 struct Outside {
   std::array<JointLink, 4> D;
   Vector3<double> v;  ///< what is taken to `target`
@@ -327,8 +329,8 @@ std::array<Complex, 4> quartic_roots(const std::array<double, 5>& a) {
   return roots;
 }
 
-/// The quadratic form q of (1, cos, sin) that is 0: a quartic in the half-angle's tangent, counted from where the form is not small
-/// opposite.
+/// The quadratic form q of (1, cos, sin) that is 0: a quartic in the half-angle's tangent, counted
+/// from where the form is not small opposite.
 struct TangentQuartic {
   std::array<double, 5> a;
   Turn<double> zero;
@@ -434,7 +436,8 @@ std::optional<GroupFormula> group_formula(const Arm& arm, const Cut& cut) {
   }
   formula.tip = behind * link_of(arm.exact_tool, arm.length);
   find_kept(formula);
-  // The pose is in the link before joint 0: where that is the one between the first two joints outside, nothing is known of it.
+  // The pose is in the link before joint 0: where that is the one between the first two joints
+  // outside, nothing is known of it.
   const auto dependent_at = [&](std::size_t joint) {
     return joint != 0 && are_dependent(constraints_of(formula.before[joint]));
   };

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What is the loop that an arm makes with the pose of its tip? Joints round a circle, with constant displacements between.
+// What is the loop that an arm makes with the pose of its tip? Joints round a circle, with constant
+// displacements between.
 //
-//   B_1 J_1 B_2 J_2 ... B_n J_n = 1 up to a factor, the tool and the pose taken into B_1: B_1 = T pose^-1 B_1 of the arm.
-// J = c one + s step, `one` a power of two near the length of `step`: an axis of fifteen decimals is a step of 1e15, and its tangents
-// would be 1e-15. Each turn is counted from a random angle, so that no closure that anybody asks for has an infinite tangent.
+//   B_1 J_1 B_2 J_2 ... B_n J_n = 1 up to a factor, the tool and the pose taken into B_1: B_1 = T
+//   pose^-1 B_1 of the arm.
+// J = c one + s step, `one` a power of two near the length of `step`: an axis of fifteen decimals
+// is a step of 1e15, and its tangents would be 1e-15. Each turn is counted from a random angle, so
+// that no closure that anybody asks for has an infinite tangent.
 // Lengths are in units of 2^unit_exponent, near the arm's own.
 // What is summed over the loop is so in integers, and in doubles where the loop is one of many.
 #pragma once
@@ -60,7 +63,8 @@ Eigen::Matrix<S, 8, 1> column(const DualQuaternion<S>& g) {
 /// Of norm 1 as eight numbers.
 RealDisplacement unit(const RealDisplacement& g);
 
-/// J_a = 1 or step, times before, times J_b = 1 or step: four of them, spanning all that the pair can do.
+/// J_a = 1 or step, times before, times J_b = 1 or step: four of them, spanning all that the pair
+/// can do.
 template <class S>
 std::vector<DualQuaternion<S>> pair_products(const Loop& loop, std::size_t a, std::size_t b,
                                              JointNumbers<S> numbers) {

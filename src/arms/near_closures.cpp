@@ -9,7 +9,8 @@
 namespace moivre {
 namespace {
 
-/// By how much the tip misses the pose there: along the direction in which it can move least, which turns little from place to place.
+/// By how much the tip misses the pose there: along the direction in which it can move least, which
+/// turns little from place to place.
 struct Miss {
   double s = 0;  ///< of the place, between two others
   Eigen::VectorXd values;
@@ -37,8 +38,8 @@ double least_of_parabola(const std::array<Miss, 3>& at) {
   return b.s - 2 * b.size / (slope + std::copysign(std::sqrt(under_root), slope));
 }
 
-/// Between two places of the set, where the tip misses the pose least: by secants of second order along the set. Newton's method
-/// alone leaves a set that is curved.
+/// Between two places of the set, where the tip misses the pose least: by secants of second order
+/// along the set. Newton's method alone leaves a set that is curved.
 Eigen::VectorXd nearest_to_pose(const Arm& arm, const Eigen::Isometry3d& pose, const Miss& from,
                                 const Miss& to, double accuracy) {
   constexpr int kMost = 10;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a posture on a set: by the relations of a plane, between the samples of a curve, or by a walk on a surface.
+// Is a posture on a set: by the relations of a plane, between the samples of a curve, or by a walk
+// on a surface.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -14,7 +15,8 @@ namespace {
 constexpr int kTargets = 3;
 constexpr double kTargetsApart = 0.5;
 
-/// Goes from a place to a sample along what does not move the tip. False where it does not come nearer, or leaves the pose.
+/// Goes from a place to a sample along what does not move the tip. False where it does not come
+/// nearer, or leaves the pose.
 bool walks_to(const Arm& arm, const Eigen::Isometry3d& pose, SetPlace here,
               const Eigen::VectorXd& sample, int dimension, double accuracy) {
   constexpr int kMost = 200;

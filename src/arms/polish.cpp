@@ -71,8 +71,9 @@ JointVector<double> step_of(const Linearized& at, double damping) {
   return not_too_long(step);
 }
 
-/// Along a curve on which the tip nearly stands a good step may miss the pose by more, since the curve is bent: the next step tells. By the
-/// same screws it is shorter, by 1/e where many closures meet.
+/// Along a curve on which the tip nearly stands a good step may miss the pose by more, since the
+/// curve is bent: the next step tells. By the same screws it is shorter, by 1/e where many closures
+/// meet.
 bool contracts(const Linearized& at, const JointVector<double>& step, double damping,
                const Velocity6<double>& error_there) {
   constexpr double kContraction = 0.5;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which joint values near these hold the pose? Newton's method on the product of transforms; no polynomial is seen here.
+// Which joint values near these hold the pose? Newton's method on the product of transforms; no
+// polynomial is seen here.
 //
-// Error: translation beside the arm's length, and the rotation vector from the tip's orientation to the pose's. Jacobian of
-// screws, columns z x (tip - p), z of a turn, z, 0 of a slide. Steps are least squares of least norm, directions that move
-// nothing left out; damped where asked, for starts that are far away.
+// Error: translation beside the arm's length, and the rotation vector from the tip's orientation to
+// the pose's. Jacobian of screws, columns z x (tip - p), z of a turn, z, 0 of a slide. Steps are
+// least squares of least norm, directions that move nothing left out; damped where asked, for
+// starts that are far away.
 #pragma once
 
 #include "moivre/arms/arm_closures.h"

@@ -15,7 +15,8 @@
 namespace moivre {
 namespace {
 
-/// Coefficients below this, beside the largest, are zeros of the arm's structure: rounding of sums of numbers near 1.
+/// Coefficients below this, beside the largest, are zeros of the arm's structure: rounding of sums
+/// of numbers near 1.
 constexpr double kStructuralZero = 1e-13;
 
 /// The pose's inverse, lengths in units of 2^exponent.

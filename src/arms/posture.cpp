@@ -11,7 +11,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Sines below are of parallel axes, distances beside the arm's length of axes that meet: files hold six decimals.
+/// Sines below are of parallel axes, distances beside the arm's length of axes that meet: files
+/// hold six decimals.
 constexpr double kSame = 1e-5;
 /// Signs of what is smaller, beside its size, are rounding's.
 constexpr double kUndecided = 1e-9;

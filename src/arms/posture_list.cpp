@@ -18,7 +18,8 @@ namespace {
 constexpr double kStandsAlone = 1e-6;
 /// Postures that are nearer to a set are of it: they are known to half the digits where sets meet.
 constexpr double kOnSet = 1e-4;
-/// A set that reaches farther than this, radians, is looked for where the accuracy may move a joint so far.
+/// A set that reaches farther than this, radians, is looked for where the accuracy may move a joint
+/// so far.
 constexpr double kReachesFar = 0.05;
 
 /// By how much a tip that stands may seem to move.
@@ -29,15 +30,17 @@ double of_pose(const PostureList& list) {
   return list.accuracy > kReach ? list.accuracy : kRounding;
 }
 
-/// What rounding moves a closure by, along a direction of this singular value: forward kinematics is wrong by some units of the last bit for
-/// each joint, and where k closures meet Newton's step is a k-th of the way to them.
+/// What rounding moves a closure by, along a direction of this singular value: forward kinematics
+/// is wrong by some units of the last bit for each joint, and where k closures meet Newton's step
+/// is a k-th of the way to them.
 double moved_by_rounding(const ArmClosure& closure, double sigma) {
   constexpr double kLeast = 1e-9, kLastDigits = 2.5e-15, kAtMost = 1e-2, kMeet = 4;
   return std::clamp(kMeet * (kLastDigits + closure.residual) / std::max(sigma, 1e-300), kLeast,
                     kAtMost);
 }
 
-/// Whether `to` may be the closure `from` but for rounding, which moves it along some directions by more than along others.
+/// Whether `to` may be the closure `from` but for rounding, which moves it along some directions by
+/// more than along others.
 bool is_moved_by_rounding(const PostureList& list, const ArmClosure& from, const ArmClosure& to) {
   const double margin = moved_by_rounding(to, to.smallest_singular_value);
   const Svd stretch =
@@ -106,14 +109,16 @@ void enter_near(PostureList& list, const TracedSet& traced) {
   list.follows_digits = true;
 }
 
-/// A curve of postures ends nowhere: one that does, where it misses a pose of all digits by more than it did, is there within the file's only.
+/// A curve of postures ends nowhere: one that does, where it misses a pose of all digits by more
+/// than it did, is there within the file's only.
 bool ends(const PostureList& list, const SelfMotion& motion) {
   constexpr double kRoundingShare = 0.1;
   return list.accuracy <= kReach && motion.dimension == 1 && !motion.closes &&
          motion.misfit > kRoundingShare * of_pose(list);
 }
 
-/// Adds the set through the posture that the accuracy, or the digits, leave open; its number where the pose's accuracy does.
+/// Adds the set through the posture that the accuracy, or the digits, leave open; its number where
+/// the pose's accuracy does.
 std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure) {
   const double sigma = closure.smallest_singular_value;
   for (const double accuracy : {of_pose(list), list.accuracy + list.arm.rounding}) {
@@ -136,7 +141,8 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
   return std::nullopt;
 }
 
-/// Newton's method ends beside the closures of a set that is there within the digits only: it goes along that set in steps that are too long.
+/// Newton's method ends beside the closures of a set that is there within the digits only: it goes
+/// along that set in steps that are too long.
 /// Followed, the set shows where they are.
 void follow_digits(PostureList& list, const Eigen::VectorXd& place) {
   const double accuracy = list.accuracy + list.arm.rounding;
@@ -151,7 +157,8 @@ void follow_digits(PostureList& list, const Eigen::VectorXd& place) {
 }  // namespace
 
 bool is_simple(const ArmClosure& closure) {
-  // Closures that meet are this near to each other, in their singular values, as rounding lets them be known.
+  // Closures that meet are this near to each other, in their singular values, as rounding lets them
+  // be known.
   constexpr double kRoundingOfMiss = 1e-15, kShare = 0.01;
   const double sigma = closure.smallest_singular_value;
   return closure.residual + kRoundingOfMiss < kShare * sigma * sigma;
@@ -202,7 +209,8 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
     reduce_turns(list.arm, list.nearest->values);
   }
   PostureEntry entry;
-  // Six joints can be put right to rounding: what is not is a place of a set that the accuracy or the digits leave open.
+  // Six joints can be put right to rounding: what is not is a place of a set that the accuracy or
+  // the digits leave open.
   constexpr std::size_t kSix = 6;
   const bool has_six = list.arm.joints.size() >= kSix;
   if (!(polished.residual <= (has_six ? of_pose(list) : list.accuracy + list.arm.rounding))) {
@@ -217,7 +225,8 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
     if (const auto same = listed(list, closure)) {
       return PostureEntry{PostureEntry::Kind::closure, *same, false, 0};
     }
-    // A closure may stand on a set that is there within the digits only; what is no closure is of that set.
+    // A closure may stand on a set that is there within the digits only; what is no closure is of
+    // that set.
     if (const auto set = set_of(list, closure.values, !closure.within_digits)) {
       return PostureEntry{PostureEntry::Kind::on_set, *set, false, 0};
     }

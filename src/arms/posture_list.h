@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which postures hold the pose, of all that searches lead to? A list of closures that stand alone, and of sets on which joints move.
+// Which postures hold the pose, of all that searches lead to? A list of closures that stand alone,
+// and of sets on which joints move.
 //
-// A start becomes a posture by Newton's method (least squares, where the arm has fewer joints than six) on the product of transforms,
-// as typed. It is entered if it misses the pose by no more than the pose is accurate; marked where only the digits of the file's
-// numbers explain the rest.
-// A posture whose smallest singular value is small is followed (self_motion.h): it may belong to a set. Postures of a set are not
-// listed as closures, unless it is a set within the digits only.
+// A start becomes a posture by Newton's method (least squares, where the arm has fewer joints than
+// six) on the product of transforms, as typed. It is entered if it misses the pose by no more than
+// the pose is accurate; marked where only the digits of the file's numbers explain the rest.
+// A posture whose smallest singular value is small is followed (self_motion.h): it may belong to a
+// set. Postures of a set are not listed as closures, unless it is a set within the digits only.
 #pragma once
 
 #include <optional>
@@ -23,9 +24,11 @@ struct PostureList {
   std::vector<ArmClosure> closures;
   std::vector<SelfMotion> moves;
   std::optional<NearestPosture> nearest;  ///< of all starts
-  /// Places that hold the pose within its accuracy, but not to rounding as postures of six joints do: of a set, or next to a closure.
+  /// Places that hold the pose within its accuracy, but not to rounding as postures of six joints
+  /// do: of a set, or next to a closure.
   std::vector<Eigen::VectorXd> places;
-  /// Not from closures that such a set has led to: they are on it, and a surface has a curve through each.
+  /// Not from closures that such a set has led to: they are on it, and a surface has a curve
+  /// through each.
   bool follows_digits = true;
 };
 
@@ -44,7 +47,8 @@ PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far)
 /// Where Newton's method led to already.
 PostureEntry enter(PostureList& list, const Polished& polished);
 
-/// The place between two closures that are not real by so little that the pose is held within its accuracy: a closure, where both meet.
+/// The place between two closures that are not real by so little that the pose is held within its
+/// accuracy: a closure, where both meet.
 void enter_meeting(PostureList& list, const Eigen::VectorXd& place);
 
 /// Largest difference, turns modulo whole ones, slides beside the arm's length.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where may joints stand that nobody has placed? Turns anywhere, slides within the arm's length to both sides.
+// Where may joints stand that nobody has placed? Turns anywhere, slides within the arm's length to
+// both sides.
 #pragma once
 
 #include "moivre/arms/arm.h"

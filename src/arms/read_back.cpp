@@ -14,14 +14,16 @@ namespace {
 /// Joints without an inverse miss that by rounding, or by some hundred times their own error.
 constexpr double kNull = 1e-13;
 constexpr double kNullPerError = 1e2;
-/// Sine of the angle between the inside's product and what it must be: closures have 1e-13, roots of the combinations alone 1e-5
-/// at the least. A root that is known to few digits may miss by some thousand times its error.
+/// Sine of the angle between the inside's product and what it must be: closures have 1e-13, roots
+/// of the combinations alone 1e-5 at the least. A root that is known to few digits may miss by some
+/// thousand times its error.
 constexpr double kMissed = 1e-9;
 constexpr double kMissedPerError = 1e3;
-/// Where no equations were combined there are no others to tell apart, and closures of nearly special arms, next to joints without
-/// an inverse, miss by 1e-9.
+/// Where no equations were combined there are no others to tell apart, and closures of nearly
+/// special arms, next to joints without an inverse, miss by 1e-9.
 constexpr double kMissedByRounding = 1e-6;
-/// A quadratic whose coefficients are this small beside what they were summed from has no roots of its own.
+/// A quadratic whose coefficients are this small beside what they were summed from has no roots of
+/// its own.
 constexpr double kVanishing = 1e-11;
 
 /// Coordinates in W of a pair: c c, c s, s c, s s.

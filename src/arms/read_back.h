@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which closures, complex ones too, does a root of the cut's equations mean? Tangents of all joints; or none.
+// Which closures, complex ones too, does a root of the cut's equations mean? Tangents of all
+// joints; or none.
 //
-// The tangents outside the cut are the root's. Their product, backwards, is what the joints inside must do: two are told by its
-// coordinates in W, three by a quadratic equation first. A root is none where a joint has no inverse (s/c = +-i), or where the
-// product of the whole loop is not 1: then it belongs to the equations that were combined, or to W alone.
+// The tangents outside the cut are the root's. Their product, backwards, is what the joints inside
+// must do: two are told by its coordinates in W, three by a quadratic equation first. A root is
+// none where a joint has no inverse (s/c = +-i), or where the product of the whole loop is not 1:
+// then it belongs to the equations that were combined, or to W alone.
 #pragma once
 
 #include "cut.h"

@@ -12,7 +12,8 @@
 namespace moivre {
 namespace {
 
-/// Radians: what the special geometry that a file's digits stand for may move a closure of a regular pose.
+/// Radians: what the special geometry that a file's digits stand for may move a closure of a
+/// regular pose.
 constexpr double kMovedByMeaning = 0.2;
 /// Imaginary parts of angles: sines are thousands, and products of them have no digit left.
 constexpr double kFar = 7;
@@ -62,7 +63,8 @@ bool read_roots(const Arm& arm, const Loop& loop, RegularPose& regular) {
       }
     }
   }
-  // Every form of a general arm has two false roots for a true one at most: where there are more, true ones were not read back.
+  // Every form of a general arm has two false roots for a true one at most: where there are more,
+  // true ones were not read back.
   return are_right && 3 * regular.rejected <= 2 * roots;
 }
 
@@ -99,7 +101,8 @@ Eigen::VectorXd regular_values(const Arm& arm, std::uint64_t seed, std::uint64_t
 
 StartsAtPose starts_at(const Arm& arm, const Eigen::Isometry3d& pose, const Tracker& tracker,
                        const SolveOptions& options, const std::atomic<bool>& stop) {
-  /// Roots that are nearer to real than this are tried as closures: double ones leave the real line by rounding.
+  /// Roots that are nearer to real than this are tried as closures: double ones leave the real line
+  /// by rounding.
   constexpr double kNearlyReal = 0.1;
   const Loop loop = make_loop(arm, pose, options.seed);
   const Cut cut = choose_cut(loop);

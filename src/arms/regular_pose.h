@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Which closures does an arm of six joints have at a pose that is nothing special? All, complex ones too, by homotopy continuation.
+// Which closures does an arm of six joints have at a pose that is nothing special? All, complex
+// ones too, by homotopy continuation.
 //
-// The loop of the pose is cut, its equations are solved (docs/decisions/0021-inverse-kinematics.md), and every root is put right by
-// Newton's method on the product of transforms, as typed: the equations may be those of the special geometry that the file's digits
-// stand for, and are a way to find.
+// The loop of the pose is cut, its equations are solved
+// (docs/decisions/0021-inverse-kinematics.md), and every root is put right by Newton's method on
+// the product of transforms, as typed: the equations may be those of the special geometry that the
+// file's digits stand for, and are a way to find.
 // The pose is that of random joint values, which must be among its closures.
-// An arm that misses a special geometry by 1e-3 has closures whose half-angle tangents are +-i within 1e-6. They are counted, and
-// not followed: they become real only next to singular postures, where starts_at() at the pose itself has them.
+// An arm that misses a special geometry by 1e-3 has closures whose half-angle tangents are +-i
+// within 1e-6. They are counted, and not followed: they become real only next to singular postures,
+// where starts_at() at the pose itself has them.
 #pragma once
 
 #include <atomic>
@@ -39,7 +42,8 @@ struct RegularPose {
 RegularPose find_regular_pose(const Arm& arm, const Tracker& tracker, const SolveOptions& options,
                               const std::atomic<bool>& stop);
 
-/// Joint values near the real closures of any pose, from its own equations; what is singular there is so in them.
+/// Joint values near the real closures of any pose, from its own equations; what is singular there
+/// is so in them.
 struct StartsAtPose {
   std::vector<Eigen::VectorXd> values;
   bool complete = false;

@@ -22,7 +22,8 @@ using Eigen::VectorXd;
 constexpr double kShortest = 4, kShortestCurve = 6;
 /// Singular values beside the largest: directions with larger ones do move the tip.
 constexpr double kMayStand = 0.02;
-/// A set of one dimension has at most so many samples to each side, one of more dimensions so many ways of so many steps.
+/// A set of one dimension has at most so many samples to each side, one of more dimensions so many
+/// ways of so many steps.
 constexpr int kMostSteps = 400;
 constexpr int kWays = 12, kStepsOfAWay = 25;
 /// Of a probe: how near places of a curve are that tell its one direction.
@@ -31,7 +32,8 @@ constexpr double kNearProbe = 0.1;
 constexpr std::uint64_t kFirstStream = 6000, kSecondStream = 6500, kThirdStream = 7000,
                         kNearStream = 7500;
 
-/// Of the places where steps from here lead, as differences from here: those directions that are no rounding of others.
+/// Of the places where steps from here lead, as differences from here: those directions that are no
+/// rounding of others.
 MatrixXd span_of(const std::vector<VectorXd>& differences) {
   constexpr double kCurved = 0.15;
   MatrixXd all(differences.front().size(), std::ssize(differences));
@@ -44,8 +46,8 @@ MatrixXd span_of(const std::vector<VectorXd>& differences) {
   return stretch.U.leftCols(rank);
 }
 
-/// Directions in which the set goes on from here (orthonormal), and a place further on: random steps along what moves the tip least,
-/// put right without restraint, come back to the set.
+/// Directions in which the set goes on from here (orthonormal), and a place further on: random
+/// steps along what moves the tip least, put right without restraint, come back to the set.
 struct Around {
   MatrixXd directions;
   std::optional<VectorXd> further;
@@ -67,7 +69,8 @@ Around around(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& pla
     }
     direction.normalize();
     const VectorXd there = place.values + in_joints<double>(arm, probe * direction);
-    // Where the posture is a closure that only the digits make a set of, Newton's method without restraint would come back to it;
+    // Where the posture is a closure that only the digits make a set of, Newton's method without
+    // restraint would come back to it;
     // where sets of closures meet, the restraint may leave no place.
     VectorXd landed = settled(arm, pose, there, direction, accuracy).values;
     if (!(size_of(linearized(arm, pose, landed).error) <= accuracy)) {
@@ -213,7 +216,8 @@ std::optional<SetBegin> set_begin(const Arm& arm, const Eigen::Isometry3d& pose,
   const bool is_meeting = there.directions.cols() < here.directions.cols() ||
                           clearness(next, dimension) > 2 * clearness(start, dimension);
   SetBegin begin = is_meeting ? SetBegin{next, there.directions} : SetBegin{start, here.directions};
-  // Places of a curve that is bent span two dimensions unless they are near. What is within an accuracy tells nothing there.
+  // Places of a curve that is bent span two dimensions unless they are near. What is within an
+  // accuracy tells nothing there.
   if (begin.ways.cols() > 1 && accuracy <= kReach) {
     const Around near =
         around(arm, pose, begin.place, accuracy, seed, kNearStream, kNearProbe * probe);
@@ -299,8 +303,8 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
 
 std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose,
                                    const VectorXd& from, double accuracy, std::uint64_t seed) {
-  // The exact set may be small, as beside a stretched elbow. Where k closures meet the tip is missed by the k-th power of the way: so near
-  // it must not be missed by as much.
+  // The exact set may be small, as beside a stretched elbow. Where k closures meet the tip is
+  // missed by the k-th power of the way: so near it must not be missed by as much.
   constexpr double kSmaller[] = {0.1, 0.01};
   auto traced = trace_at_size(arm, pose, from, accuracy, 1, seed);
   for (const double size : kSmaller) {

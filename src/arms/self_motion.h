@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// How do the joints move while the tip stands, within an accuracy? The set of postures through one of them, followed to its ends.
+// How do the joints move while the tip stands, within an accuracy? The set of postures through one
+// of them, followed to its ends.
 //
-// At a posture the screws' smallest singular values tell candidates: joint velocities that move the tip least. Random steps along
-// them, put right by Newton's method, come back to the set if there is one; it has as many dimensions as these places span.
-// A set of dimension 1 is followed in steps of kStep to both sides until it closes or ends. Of a larger one random ways are followed.
+// At a posture the screws' smallest singular values tell candidates: joint velocities that move the
+// tip least. Random steps along them, put right by Newton's method, come back to the set if there
+// is one; it has as many dimensions as these places span.
+// A set of dimension 1 is followed in steps of kStep to both sides until it closes or ends. Of a
+// larger one random ways are followed.
 // An exact set may be small: steps are then a tenth or a hundredth of that.
-//   relations: r . q = constant on the whole set, for its joints that move, where it is a piece of a plane in joint space
+//   relations: r . q = constant on the whole set, for its joints that move, where it is a piece of
+//   a plane in joint space
 // Closures of the arm may lie on a set that is there only within the accuracy (near_closures.h).
 #pragma once
 

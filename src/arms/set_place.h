@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// A posture next to a set of postures that hold the pose: how is it put right, and does the set go on from there?
+// A posture next to a set of postures that hold the pose: how is it put right, and does the set go
+// on from there?
 //
-//   V, sigma   the tip's velocity is U sigma V^T of the joints', in radians and arm's lengths: the last columns of V move the tip least
-//   settled    Gauss-Newton steps across directions that are kept; what is within the accuracy is no reason to go far
+//   V, sigma   the tip's velocity is U sigma V^T of the joints', in radians and arm's lengths: the
+//              last columns of V move the tip least
+//   settled    Gauss-Newton steps across directions that are kept; what is within the accuracy is
+//              no reason to go far
 //   moved      a step along a direction, and back to the set across it
-// accuracy: radians, and lengths beside the arm's. Edges: a place may miss the pose by more than that; its residual tells. Private to the
-// module.
+// accuracy: radians, and lengths beside the arm's. Edges: a place may miss the pose by more than
+// that; its residual tells. Private to the module.
 #pragma once
 
 #include <optional>
@@ -43,7 +46,8 @@ SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, Eigen::VectorXd 
 std::optional<SetPlace> moved(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from,
                               const Eigen::VectorXd& direction, double step, double accuracy);
 
-/// Whether the set goes straight on from here to `gone`: half way there is a place of it as well. Other sets and closures may be as near.
+/// Whether the set goes straight on from here to `gone`: half way there is a place of it as well.
+/// Other sets and closures may be as near.
 bool leads_to(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& place,
               const Eigen::VectorXd& gone, double accuracy);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ranks at random postures; joints taken into the displacement behind them; a wrist behind the last joint, or axes anywhere.
+// Ranks at random postures; joints taken into the displacement behind them; a wrist behind the last
+// joint, or axes anywhere.
 #include "six_joints.h"
 
 #include <algorithm>
@@ -59,7 +60,8 @@ Rational random_number(std::uint64_t seed, std::uint64_t index, double size) {
   return ratio(Integer(std::llround(kParts * size * unit)), Integer(kParts));
 }
 
-/// A turn about a random axis behind the last joint: the tip is where it was while the turn stands at 0.
+/// A turn about a random axis behind the last joint: the tip is where it was while the turn stands
+/// at 0.
 void add_joint(Arm& arm, const ExactVector& place, std::uint64_t seed, std::uint64_t index) {
   ExactVector axis;
   for (Rational& x : axis) x = random_number(seed, index++, 1);
@@ -125,8 +127,8 @@ std::vector<std::size_t> idle_in_every_posture(const Arm& arm, std::uint64_t see
 
 namespace {
 
-/// With a wrist: few paths lead to its closures. Not where it turns only what the arm turns, too, and what the arm leaves out
-/// stays left out.
+/// With a wrist: few paths lead to its closures. Not where it turns only what the arm turns, too,
+/// and what the arm leaves out stays left out.
 Arm completed(const Arm& arm, std::uint64_t seed) {
   constexpr double kDeficient = 1e-6;
   Arm with_wrist = arm;

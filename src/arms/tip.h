@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Where is the tip for these joint values, real or complex, and how does each joint move it there?
 //
-//   tip(q) = B_1 J_1(q_1) ... B_n J_n(q_n) T,  a rotation R (3 x 3) and a place p, of the numbers as typed
-//   screws, 6 x n: column k is the tip's velocity where joint k alone moves at speed 1. Rows 1 to 3: its translation beside the
-//   arm's length; rows 4 to 6: its rotation. A slide's speed 1 is an arm's length.
+//   tip(q) = B_1 J_1(q_1) ... B_n J_n(q_n) T,  a rotation R (3 x 3) and a place p, of the numbers
+//                                              as typed
+//   screws, 6 x n: column k is the tip's velocity where joint k alone moves at speed 1. Rows 1 to
+//   3: its translation beside the arm's length; rows 4 to 6: its rotation. A slide's speed 1 is an
+//   arm's length.
 // For complex q the same formulas hold: R is then complex orthogonal (R^T R = 1).
 #pragma once
 

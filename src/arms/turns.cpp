@@ -13,7 +13,8 @@ namespace moivre {
 namespace {
 
 constexpr double kWholeTurn = 2 * std::numbers::pi;
-// Distances that differ by less are one: two closures may share the joint that is farthest, and rounding is not to order them.
+// Distances that differ by less are one: two closures may share the joint that is farthest, and
+// rounding is not to order them.
 constexpr double kAlike = 1e-9;
 
 /// Whole turns, the fewest and the most, with which a joint is between its limits.

@@ -10,7 +10,8 @@
 namespace moivre {
 namespace {
 
-/// Sines and cosines are kept to so many bits, more than their doubles have for any angle that is not tiny.
+/// Sines and cosines are kept to so many bits, more than their doubles have for any angle that is
+/// not tiny.
 constexpr std::size_t kTurnBits = 60;
 
 Integer fixed_point(double x) { return {std::llround(std::ldexp(x, static_cast<int>(kTurnBits)))}; }
@@ -40,7 +41,8 @@ ExactDisplacement elementary_turn(const Rational& angle, std::size_t axis) {
   return turn;
 }
 
-/// Any four numbers are a turn: products of turns are cut to kTurnBits. What is equal, or zero, stays so.
+/// Any four numbers are a turn: products of turns are cut to kTurnBits. What is equal, or zero,
+/// stays so.
 ExactDisplacement cut_short(const ExactDisplacement& turn) {
   const ExactDisplacement result = reduced(turn);
   std::size_t bits = 0;

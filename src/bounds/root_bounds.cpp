@@ -21,7 +21,8 @@ constexpr std::uint64_t kCellWork = 4'000'000'000;
 constexpr std::uint64_t kStepCost = 10;
 // Terms that the algebra may look at: less than a second.
 constexpr std::uint64_t kAlgebraTerms = 20'000'000;
-// Any two seeds: what they draw has nothing in common. The first one draws the prime of the algebra too.
+// Any two seeds: what they draw has nothing in common. The first one draws the prime of the algebra
+// too.
 constexpr std::uint64_t kLiftingSeeds[] = {101, 202};
 
 CellSearchOptions bounded(const System& f, const std::atomic<bool>* stop) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How are Arb's complex balls a scalar of tapes? A value that owns its acb_t and knows its precision.
+// How are Arb's complex balls a scalar of tapes? A value that owns its acb_t and knows its
+// precision.
 //
-// A ball is a rectangle here, two real balls; Arb rounds outward by itself [Johansson17]. A result has the higher precision
-// of its operands; S(double) is exact and brings none. Memory is FLINT's, which keeps some for each thread.
+// A ball is a rectangle here, two real balls; Arb rounds outward by itself [Johansson17]. A result
+// has the higher precision of its operands; S(double) is exact and brings none. Memory is FLINT's,
+// which keeps some for each thread.
 #pragma once
 
 // FLINT 3 has taken Arb in, and its headers.

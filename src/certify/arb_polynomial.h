@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Polynomials of FLINT with integer coefficients, their squarefree factors, and how their roots come back as sums of doubles.
+// Polynomials of FLINT with integer coefficients, their squarefree factors, and how their roots
+// come back as sums of doubles.
 #pragma once
 
 // FLINT 3 has taken Arb in, and its headers.

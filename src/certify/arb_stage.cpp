@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Krawczyk's operator in Arb's balls: the rounding is Arb's care, the points and radii are chosen here.
+// Krawczyk's operator in Arb's balls: the rounding is Arb's care, the points and radii are chosen
+// here.
 #include "arb_stage.h"
 
 #include <algorithm>
@@ -19,19 +20,24 @@ namespace {
 
 // The evaluations have so many bits more than the points.
 constexpr slong kGuardBits = 32;
-// Newton's method gains a bit an iteration at a double root and near a cluster, until it converges quadratically or rounding ends it.
+// Newton's method gains a bit an iteration at a double root and near a cluster, until it converges
+// quadratically or rounding ends it.
 constexpr slong kIterationsPerBit = 1;
-// A correction of fewer than 0.6 bits of the precision leaves, squared, an error below the rounding.
+// A correction of fewer than 0.6 bits of the precision leaves, squared, an error below the
+// rounding.
 constexpr double kSettledShare = 0.6;
-// Where corrections have not become smaller so many times in a row, this precision has no more to give.
+// Where corrections have not become smaller so many times in a row, this precision has no more to
+// give.
 constexpr int kMostStalls = 4;
-// Where J is nearly singular a step goes too far, and the next ones bring it back; farther than allowed it has left after more of them.
+// Where J is nearly singular a step goes too far, and the next ones bring it back; farther than
+// allowed it has left after more of them.
 constexpr int kMostOutside = 4;
-// Towards a root of multiplicity m corrections fall to a share of 1 - 1/m, at least a half; quadratically, to less and less.
+// Towards a root of multiplicity m corrections fall to a share of 1 - 1/m, at least a half;
+// quadratically, to less and less.
 constexpr double kQuadraticShare = 0.1;
 
-/// Radii to begin with, b bits: 2^(error_bits b) times the error, 2^(point_bits b) of the coordinates, each taken for no smaller
-/// than a share of the largest. The order is that of double.
+/// Radii to begin with, b bits: 2^(error_bits b) times the error, 2^(point_bits b) of the
+/// coordinates, each taken for no smaller than a share of the largest. The order is that of double.
 struct Start {
   double error_bits, point_bits, least_weight;
 };
@@ -39,7 +45,8 @@ constexpr Start kStarts[] = {{0.125, -0.75, 0x1p-10}, {0.125, -0.75, 0}, {0.02, 
 constexpr int kAttempts = 6;
 // The image shrinks by |I - Y J| each time that it is taken for the ball.
 constexpr int kTightenings = 2;
-// The size of an unknown is at least this share of the largest one: less is no scale for a correction.
+// The size of an unknown is at least this share of the largest one: less is no scale for a
+// correction.
 constexpr double kLeastWeight = 0x1p-40;
 constexpr double kHopeless = 0x1p30;
 constexpr double kHuge = 0x1p900;
@@ -228,7 +235,8 @@ double ArbStage::Work::largest_coordinate() const {
   return largest;
 }
 
-/// step_: J^-1 F, and J^-1 of the radii of F, an estimate of what its rounding errors make of that. False where J is singular.
+/// step_: J^-1 F, and J^-1 of the radii of F, an estimate of what its rounding errors make of that.
+/// False where J is singular.
 bool ArbStage::Work::find_step() {
   for (std::size_t i = 0; i < n_; ++i) {
     acb_srcptr value = values_[i].get();
@@ -239,8 +247,8 @@ bool ArbStage::Work::find_step() {
   return acb_mat_approx_solve(step_.get(), j_.get(), f_.get(), bits_ + kGuardBits) != 0;
 }
 
-/// Newton's method until its correction is small enough, or no better; the test is left to say what the point is worth. Never
-/// `proved`.
+/// Newton's method until its correction is small enough, or no better; the test is left to say what
+/// the point is worth. Never `proved`.
 ArbOutcome ArbStage::Work::approach(double farthest) {
   const double settled = std::exp2(-kSettledShare * static_cast<double>(bits_));
   double last = HUGE_VAL;

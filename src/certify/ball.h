@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What is a disc of complex numbers, as a scalar of tapes? A midpoint in double or double-double, and a radius.
+// What is a disc of complex numbers, as a scalar of tapes? A midpoint in double or double-double,
+// and a radius.
 //
-//   Disc(m, r) = {z : |z - m| <= r};  the result of an operation encloses the operation on all members of its operands
+//   Disc(m, r) = {z : |z - m| <= r};  the result of an operation encloses the operation on all
+//                                     members of its operands
 //
-//   product, double:         |fl(ab) - ab| <= sqrt(5) u |a||b|           [BrentPercivalZimmermann07]
-//   product, double-double:  each real sum and product to 2^-102 (double_double.h), so 2 sqrt(2) 2^-102 |a||b| < 2^-100 |a||b|
+//   product, double:         |fl(ab) - ab| <= sqrt(5) u |a||b|
+//                            [BrentPercivalZimmermann07]
+//   product, double-double:  each real sum and product to 2^-102 (double_double.h), so 2 sqrt(2)
+//                            2^-102 |a||b| < 2^-100 |a||b|
 //   sum:                     u, or 2^-102, of the result's size
-// and what falls below the smallest normal number, less than 2^-1065 an operation, is covered by `raised`.
+// and what falls below the smallest normal number, less than 2^-1065 an operation, is covered by
+// `raised`.
 // A coefficient is a disc as well: the exact rational lies in it.
 #pragma once
 
@@ -64,7 +69,8 @@ struct CoefficientBall {
 
 namespace detail {
 
-/// Radius of a product: sizes of the middles, radii, and the rounding of the middle as a share of the sizes' product.
+/// Radius of a product: sizes of the middles, radii, and the rounding of the middle as a share of
+/// the sizes' product.
 inline double product_radius(double size_a, double radius_a, double size_b, double radius_b,
                              double rounding) {
   return raised(size_a * (radius_b + rounding * size_b) + (size_b + radius_b) * radius_a);

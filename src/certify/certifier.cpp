@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Double first, then Arb's precisions one after the other, until the root is proved and known to be real or not.
+// Double first, then Arb's precisions one after the other, until the root is proved and known to be
+// real or not.
 #include "moivre/certify/certifier.h"
 
 #include <algorithm>
@@ -142,7 +143,8 @@ class Certifier::Work {
     result.reality = reality_of(result, program_->real);
   }
 
-  /// More bits tell nothing new: the ball is small enough for its place to be told, and reality is known where it is asked for.
+  /// More bits tell nothing new: the ball is small enough for its place to be told, and reality is
+  /// known where it is asked for.
   bool is_settled(std::span<const Complex> x, const Certificate& result) const {
     if (largest_error(result) > options_.accuracy * scale_of(x)) return false;
     return !options_.decide_reality || !program_->real || result.reality != Reality::unknown;

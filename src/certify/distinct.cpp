@@ -69,7 +69,8 @@ std::vector<Shadow> shadows(std::span<const Certificate> certificates, std::uint
   for (std::size_t k = 0; k < certificates.size(); ++k) {
     const Certificate& c = certificates[k];
     if (!c.holds_root()) continue;
-    // The share of each term covers its rounding, that of the sum, and the parts of the midpoint beyond double.
+    // The share of each term covers its rounding, that of the sum, and the parts of the midpoint
+    // beyond double.
     const double share = 8 * kUnitRoundoff * static_cast<double>(sizes.size() + 8);
     double middle = 0;
     double reach = 0;
@@ -96,7 +97,8 @@ void join(std::vector<std::size_t>& first_of, const IndexPair& pair) {
   first_of[std::max(a, b)] = std::min(a, b);
 }
 
-/// Drops doubts that chains of the same pairs settle, and counts the roots; what is in doubt counts as one.
+/// Drops doubts that chains of the same pairs settle, and counts the roots; what is in doubt counts
+/// as one.
 void settle(std::span<const Certificate> certificates, Distinctness& result) {
   for (std::size_t& first : result.first_of) first = root_of(result.first_of, first);
   std::erase_if(result.doubtful, [&](const IndexPair& pair) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Krawczyk's operator in double: all that depends on the radii is a vector, so that trying others costs little.
+// Krawczyk's operator in double: all that depends on the radii is a vector, so that trying others
+// costs little.
 #include "double_stage.h"
 
 #include <algorithm>
@@ -10,33 +11,38 @@
 namespace moivre {
 namespace {
 
-// Newton's method: a root of a tracker takes two corrections. What has not settled after so many is for more digits.
+// Newton's method: a root of a tracker takes two corrections. What has not settled after so many is
+// for more digits.
 constexpr int kMostCorrections = 5;
 // A correction of this share of the point is rounding.
 constexpr double kSettled = 0x1p-53;
-// The size of an unknown is at least this share of the largest one: less is no scale for a correction.
+// The size of an unknown is at least this share of the largest one: less is no scale for a
+// correction.
 constexpr double kLeastWeight = 0x1p-40;
 
-/// Radii to begin with: shares of the error and of the point's coordinates, each taken for no smaller than a share of the largest.
+/// Radii to begin with: shares of the error and of the point's coordinates, each taken for no
+/// smaller than a share of the largest.
 struct Start {
   double of_error, of_point, least_weight;
   int attempts;
 };
-// The first one serves nearly all. The second: coordinates much smaller than others bend F. The third: J is nearly singular.
+// The first one serves nearly all. The second: coordinates much smaller than others bend F. The
+// third: J is nearly singular.
 constexpr Start kStarts[] = {{512, 0x1p-44, 0x1p-10, 2}, {512, 0x1p-44, 0, 3}, {2, 0x1p-52, 0, 8}};
 // A radius must be positive where the point is 0 and F vanishes there exactly.
 constexpr double kLeastRadius = 0x1p-900;
 // The image shrinks by |I - Y J| each time that it is taken for the ball.
 constexpr int kTightenings = 2;
-// Beyond this quotient of kappa and rho no wider ball will hold its image; but a radius of the first attempt may be far too
-// small, that of a coordinate that vanishes.
+// Beyond this quotient of kappa and rho no wider ball will hold its image; but a radius of the
+// first attempt may be far too small, that of a coordinate that vanishes.
 constexpr double kHopeless = 0x1p30;
 constexpr double kHuge = 0x1p900;
 
 // Sums of so many terms are raised once (upward.h): 2^8 operations.
 constexpr std::size_t kLargestDimension = 250;
 
-/// Roundings of a sum of n complex products, each product's sqrt(5) u with it, twice as many to be safe.
+/// Roundings of a sum of n complex products, each product's sqrt(5) u with it, twice as many to be
+/// safe.
 double sum_rounding(std::size_t n) { return 2 * kUnitRoundoff * (static_cast<double>(n) + 8); }
 
 }  // namespace
@@ -83,7 +89,8 @@ bool DoubleStage::prove(std::span<const Complex> x, std::span<const Enclosure> g
   return true;
 }
 
-/// Given numbers are variables that no radius of an unknown moves: F(m) is a ball then, and its size counts like an error of F.
+/// Given numbers are variables that no radius of an unknown moves: F(m) is a ball then, and its
+/// size counts like an error of F.
 void DoubleStage::take(std::span<const Enclosure> given) {
   for (std::size_t k = 0; k < given.size(); ++k) {
     double radius = given[k].error;
@@ -94,7 +101,8 @@ void DoubleStage::take(std::span<const Enclosure> given) {
   }
 }
 
-/// Newton's method from x, until its correction is rounding. False where it leaves the neighbourhood or J is singular.
+/// Newton's method from x, until its correction is rounding. False where it leaves the
+/// neighbourhood or J is singular.
 bool DoubleStage::approach(std::span<const Complex> x, double accuracy) {
   std::copy(x.begin(), x.end(), m_.begin());
   double size = 1;
@@ -221,7 +229,8 @@ bool DoubleStage::inflate(int attempts) {
   return false;
 }
 
-/// Discs of J over the ball of radii rho around m, or at m alone. The middles are the same: the radii do not enter them.
+/// Discs of J over the ball of radii rho around m, or at m alone. The middles are the same: the
+/// radii do not enter them.
 void DoubleStage::jacobian_of_ball(bool with_radii) {
   for (std::size_t j = 0; j < n_; ++j) x_[j] = Ball(m_[j], with_radii ? rho_[j] : 0);
   evaluate<Ball, CoefficientBall<Complex>>(program_.tape, program_.coefficients, x_, registers_,
@@ -235,7 +244,8 @@ void DoubleStage::image() {
   std::swap(kappa_, image_);
 }
 
-/// The root lies within kappa of m: so it lies within the image of that, too. J(B) holds there as well.
+/// The root lies within kappa of m: so it lies within the image of that, too. J(B) holds there as
+/// well.
 void DoubleStage::tighten() {
   apply(kappa_);
   for (std::size_t j = 0; j < n_; ++j) kappa_[j] = std::min(kappa_[j], image_[j]);

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What does double prove of the root near a point? Newton's method with residuals in double-double, then Krawczyk's test.
+// What does double prove of the root near a point? Newton's method with residuals in double-double,
+// then Krawczyk's test.
 //
-//   kappa_j = |c_j| + sum_k |Y_jk| (e_k + sum_l (k_n |J_kl| + R_kl) rho_l) + k_n rho_j + sum_l |G_jl| rho_l
+//   kappa_j = |c_j| + sum_k |Y_jk| (e_k + sum_l (k_n |J_kl| + R_kl) rho_l) + k_n rho_j + sum_l
+//   |G_jl| rho_l
 //
-//   c = fl(Y f),  G = fl(I - Y J),  J, R: middles and radii of the discs J(B);  f: F(m), e: its radii + k_n |f|
+//   c = fl(Y f),  G = fl(I - Y J),  J, R: middles and radii of the discs J(B);  f: F(m), e: its
+//                                   radii + k_n |f|
 //   k_n: relative rounding of a sum of n complex products [Higham02, ch. 3]
-// Everything is evaluated to nearest and raised (upward.h). Radii rho are tried, wide ones first: a wide ball tells more roots
-// apart. A radius that kappa reaches is doubled a few times, since coordinates of unlike sizes need unlike radii.
+// Everything is evaluated to nearest and raised (upward.h). Radii rho are tried, wide ones first: a
+// wide ball tells more roots apart. A radius that kappa reaches is doubled a few times, since
+// coordinates of unlike sizes need unlike radii.
 #pragma once
 
 #include <span>

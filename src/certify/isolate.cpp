@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// FLINT's squarefree factors, Arb's isolation of their roots, and sums of doubles for the midpoints.
+// FLINT's squarefree factors, Arb's isolation of their roots, and sums of doubles for the
+// midpoints.
 #include "moivre/certify/isolate.h"
 
 #include <algorithm>

@@ -40,9 +40,10 @@ std::optional<double> as_double(const Integer& n) {
   return static_cast<double>(static_cast<std::int64_t>(n));
 }
 
-/// Of n / d, both whole numbers of 53 bits. A quotient that was rounded to nearest leaves a remainder that is a double, and
-/// a fused multiply-add finds it without rounding [Muller18]: n = hi d + r, r = lo d + s, both exactly. Neither can
-/// underflow: |hi| >= 2^-53 where it is not zero, so |r| >= 2^-105 and |s| >= 2^-211 where they are not.
+/// Of n / d, both whole numbers of 53 bits. A quotient that was rounded to nearest leaves a
+/// remainder that is a double, and a fused multiply-add finds it without rounding [Muller18]: n =
+/// hi d + r, r = lo d + s, both exactly. Neither can underflow: |hi| >= 2^-53 where it is not zero,
+/// so |r| >= 2^-105 and |s| >= 2^-211 where they are not.
 Parts parts_of(double n, double d) {
   const double hi = n / d;
   const double r = std::fma(-hi, d, n);

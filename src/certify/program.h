@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do all threads share that certify roots of one system? Its tape, and its coefficients as discs around doubles.
+// What do all threads share that certify roots of one system? Its tape, and its coefficients as
+// discs around doubles.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a certified root real? Its enclosure's conjugate lies in the ball, or some imaginary part cannot vanish, or neither.
+// Is a certified root real? Its enclosure's conjugate lies in the ball, or some imaginary part
+// cannot vanish, or neither.
 #pragma once
 
 #include "moivre/certify/certificate.h"

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How is a number rounded so that it can only become larger? Computed to nearest, then raised by more than was lost.
+// How is a number rounded so that it can only become larger? Computed to nearest, then raised by
+// more than was lost.
 //
-// A formula of sums, products and quotients of nonnegative numbers loses at most 2u of its value an operation, u = 2^-53, and
-// where it falls below the smallest normal number 2^-1075 an operation besides. `raised` adds 2^-44 of the value and 2^-1060:
-// enough for 2^8 operations of the first kind and 2^14 of the second. Longer sums are raised as they grow. No rounding
-// mode is changed; "to nearest" is required. NaN stays NaN, so that no comparison holds.
+// A formula of sums, products and quotients of nonnegative numbers loses at most 2u of its value an
+// operation, u = 2^-53, and where it falls below the smallest normal number 2^-1075 an operation
+// besides. `raised` adds 2^-44 of the value and 2^-1060:
+// enough for 2^8 operations of the first kind and 2^14 of the second. Longer sums are raised as
+// they grow. No rounding mode is changed; "to nearest" is required. NaN stays NaN, so that no
+// comparison holds.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +26,8 @@ inline constexpr double kUnderflow = 0x1p-1060;
 
 inline double raised(double x) { return x * kRaise + kUnderflow; }
 
-/// |a| <= larger part + (sqrt(2) - 1) smaller part, at most 8 per cent too large; no square that could underflow.
+/// |a| <= larger part + (sqrt(2) - 1) smaller part, at most 8 per cent too large; no square that
+/// could underflow.
 inline double size_bound(double re, double im) {
   constexpr double kChord = 0.4142135623730951;  // sqrt(2) - 1, rounded up
   const double x = std::abs(re);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do the parts of the judgement share? The system, the claims, certificates of the roots, and the notes.
+// What do the parts of the judgement share? The system, the claims, certificates of the roots, and
+// the notes.
 #pragma once
 
 #include <atomic>
@@ -42,7 +43,8 @@ struct Bench {
   bool is_list() const { return claims.form == ClaimForm::solution_list; }
 };
 
-/// System, reduced system, start and sums (src/check/books.cpp). False: the unknowns are not those of the system.
+/// System, reduced system, start and sums (src/check/books.cpp). False: the unknowns are not those
+/// of the system.
 bool judge_system(const System& f, const Claims& claims, Verdicts& verdicts);
 void judge_start(const System& f, const StandIn& stand_in, const Claims& claims, Verdicts& verdicts,
                  const std::atomic<bool>& stop);
@@ -50,14 +52,14 @@ void judge_paths(const Claims& claims, Verdicts& verdicts);
 
 /// Existence and accuracy of each root (src/check/existence.cpp); fills the entries.
 void judge_existence(Bench& bench);
-/// Of a root that the entry may mean, found from points beside it; undecided where none is found that is_wanted
-/// (src/check/existence.cpp).
+/// Of a root that the entry may mean, found from points beside it; undecided where none is found
+/// that is_wanted (src/check/existence.cpp).
 Certificate certificate_beside(Bench& bench, const Entry& entry,
                                const std::function<bool(const Certificate&)>& is_wanted);
 /// Multiplicities: of entries that are claimed to be singular (src/check/clusters.cpp).
 void judge_clusters(Bench& bench);
-/// Of the point as it is, or of the simplest fractions within `reach`; of dimension 0: neither is a root, or nothing can be said
-/// (src/check/clusters.cpp).
+/// Of the point as it is, or of the simplest fractions within `reach`; of dimension 0: neither is a
+/// root, or nothing can be said (src/check/clusters.cpp).
 LocalRing exact_ring(const System& f, const Point& x, double reach);
 /// Residual and condition (src/check/figures.cpp).
 void judge_figures(const Bench& bench);

@@ -45,7 +45,8 @@ void judge_count(Verdicts& verdicts, ClaimKind claim, const std::string& what,
   verdicts.judge(claim, *is == *should, stated(what, number_text(is), number_text(should)));
 }
 
-/// The system whose paths were counted: what elimination leaves, or the whole, in isotropic unknowns where it is said so.
+/// The system whose paths were counted: what elimination leaves, or the whole, in isotropic
+/// unknowns where it is said so.
 std::optional<System> tracked_system(const ReducedClaim& claim, const System& whole,
                                      const System& reduced) {
   for (const System* g : {&reduced, &whole}) {
@@ -72,7 +73,8 @@ void judge_partitions(const StartClaim& start, const StructureCounts& counts,
                       const std::optional<std::uint64_t>& total, Verdicts& verdicts) {
   if (!start.multihomogeneous) return;
   const std::uint64_t claimed = *start.multihomogeneous;
-  // No partition has fewer than the mixed volume, and the one with a single group has the total degree.
+  // No partition has fewer than the mixed volume, and the one with a single group has the total
+  // degree.
   const bool is_impossible =
       claimed < counts.mixed_volume.value_or(0) || (total && claimed > *total);
   if (!is_impossible && !counts.is_least && counts.multihomogeneous != claimed) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is the bound that a result names met, and is it one? Its value beside the roots of the result, and beside the bound of its kind.
+// Is the bound that a result names met, and is it one? Its value beside the roots of the result,
+// and beside the bound of its kind.
 #include <algorithm>
 #include <array>
 #include <utility>

@@ -24,7 +24,8 @@ std::string bounds_text(const std::vector<RootBound>& bounds) {
   return joined(words, ", ");
 }
 
-/// Bounds on the stand-in's roots, and whether the distinct ones, and those that exact algebra counts, meet one.
+/// Bounds on the stand-in's roots, and whether the distinct ones, and those that exact algebra
+/// counts, meet one.
 void find_bounds(const StandIn& stand_in, Judgement& judgement, const std::atomic<bool>& stop) {
   const std::size_t distinct = judgement.roots.distinct;
   const KnownRoots known{distinct + judgement.roots.counted,
@@ -64,7 +65,8 @@ void judge_sum(const Claims& claims, Verdicts& verdicts) {
   }
 }
 
-/// Every path decided: no root is left out. The dimension of the quotient ring is not a bound alone, but their number.
+/// Every path decided: no root is left out. The dimension of the quotient ring is not a bound
+/// alone, but their number.
 void judge_all_there(const System& f, const Claims& claims, Verdicts& verdicts) {
   const auto& bounds = verdicts.judgement().bounds;
   const auto ring = std::find_if(bounds.begin(), bounds.end(), [](const RootBound& bound) {
@@ -94,7 +96,8 @@ std::optional<std::uint64_t> different_roots(const System& f, const std::atomic<
   return std::nullopt;
 }
 
-/// The list has every different root where it has as many as exact algebra counts. A cluster may be several.
+/// The list has every different root where it has as many as exact algebra counts. A cluster may be
+/// several.
 void judge_points(const System& f, const Claims& claims, Verdicts& verdicts,
                   const std::atomic<bool>& stop) {
   if (claims.left_out > 0) return;
@@ -109,8 +112,8 @@ void judge_points(const System& f, const Claims& claims, Verdicts& verdicts,
                      std::to_string(claims.roots.size()));
 }
 
-/// Of more equations than unknowns, where roots lie on curves: exact algebra counts the roots of the file that are simple ones of the
-/// combinations.
+/// Of more equations than unknowns, where roots lie on curves: exact algebra counts the roots of
+/// the file that are simple ones of the combinations.
 void judge_common_roots(const System& f, const StandIn& stand_in, const Claims& claims,
                         Verdicts& verdicts) {
   const bool is_overdetermined = f.polynomials.size() > f.variables.size() && f.groups.empty();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a singular root what it is said to be? Where it is known exactly exact algebra counts its multiplicity; elsewhere that is
-// numerical, but a regular root in its place, or none near, is not.
+// Is a singular root what it is said to be? Where it is known exactly exact algebra counts its
+// multiplicity; elsewhere that is numerical, but a regular root in its place, or none near, is not.
 #include <algorithm>
 #include <cmath>
 

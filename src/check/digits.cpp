@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are the digits beyond double those of the root? Each decimal against a certificate of as many bits.
+// Are the digits beyond double those of the root? Each decimal against a certificate of as many
+// bits.
 #include <algorithm>
 #include <cctype>
 #include <string_view>

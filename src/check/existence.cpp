@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is there a regular root, and as near as is stated? Certificates, and exact Taylor sums where there is none. A claim is false where that is proved.
+// Is there a regular root, and as near as is stated? Certificates, and exact Taylor sums where
+// there is none. A claim is false where that is proved.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +17,8 @@ constexpr double kListTolerance = 1e-8;
 constexpr double kListCorrections = 10;
 // Where a result knows no accuracy. Certificates look no farther either.
 constexpr double kUnknownAccuracy = 1e-6;
-// Another chart and its rounding change distances by no more than this, for roots that are normalized.
+// Another chart and its rounding change distances by no more than this, for roots that are
+// normalized.
 constexpr double kChart = 1e3;
 constexpr double kChartRounding = 1e-13;
 // Bounds of distances lose less than this share.

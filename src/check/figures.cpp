@@ -12,17 +12,21 @@
 namespace moivre {
 namespace {
 
-// A residual is computed in more digits than double and rounded; the sizes beside it lose some digits in long sums.
+// A residual is computed in more digits than double and rounded; the sizes beside it lose some
+// digits in long sums.
 constexpr double kResidualRounding = 1e-9;
-// Both are made at a point that was rounded to double: each coordinate by 2^-53 of its size, the value by degree times that.
+// Both are made at a point that was rounded to double: each coordinate by 2^-53 of its size, the
+// value by degree times that.
 constexpr double kPointRounding = 4 * 0x1p-53;
-// Condition numbers are estimates, within a factor of 3 each [Higham88], and rows are scaled by powers of two. Rows of size 1
-// have the least of all; other units of the unknowns make it larger, by how much is not said in a result.
+// Condition numbers are estimates, within a factor of 3 each [Higham88], and rows are scaled by
+// powers of two. Rows of size 1 have the least of all; other units of the unknowns make it larger,
+// by how much is not said in a result.
 constexpr double kConditionFactor = 10;
 // From here on the Jacobian in double tells no condition.
 constexpr double kKnownCondition = 1e10;
 
-/// The largest coefficient of each equation near 1: residuals and conditions stay, and none falls below double's range.
+/// The largest coefficient of each equation near 1: residuals and conditions stay, and none falls
+/// below double's range.
 System with_rows_near_one(const System& f) {
   Scaling rows{std::vector<int>(f.variables.size()), {}};
   for (const Polynomial& p : f.polynomials) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a value taken out of JSON that may be anything? By its place and its kind; what is wrong is noted, and reading goes on.
+// How is a value taken out of JSON that may be anything? By its place and its kind; what is wrong
+// is noted, and reading goes on.
 #pragma once
 
 #include <cstdint>

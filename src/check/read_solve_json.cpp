@@ -15,7 +15,8 @@ constexpr std::size_t kMostFaults = 20;
 // Digits that solve can be asked for.
 constexpr std::uint64_t kMostDigits = 1000;
 
-/// The roots of a result, taken one by one while it is parsed: as a tree they would take ten times the text.
+/// The roots of a result, taken one by one while it is parsed: as a tree they would take ten times
+/// the text.
 struct TakenRoots {
   std::optional<std::size_t> dimension;  ///< once the system was read
   bool are_read = false;

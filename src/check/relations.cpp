@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How do the roots stand to each other, and to the real numbers? Distinct, real, each with its conjugate.
+// How do the roots stand to each other, and to the real numbers? Distinct, real, each with its
+// conjugate.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -29,7 +30,8 @@ double apart(const Point& a, const Point& b) {
   return largest;
 }
 
-/// What lies where is proved by no certificate: the same point twice is the same claim twice, overlapping discs are open.
+/// What lies where is proved by no certificate: the same point twice is the same claim twice,
+/// overlapping discs are open.
 void judge_unproved_pairs(Bench& bench) {
   const std::vector<Entry>& entries = bench.entries;
   for (std::size_t k = 0; k < entries.size(); ++k) {
@@ -53,7 +55,8 @@ void judge_unproved_pairs(Bench& bench) {
   }
 }
 
-/// Two claims at one place may be of two roots that double does not tell apart: of the second one another certificate is sought.
+/// Two claims at one place may be of two roots that double does not tell apart: of the second one
+/// another certificate is sought.
 bool seek_others(Bench& bench, const Distinctness& d, std::vector<Certificate>& certificates) {
   bool is_found = false;
   for (std::size_t k = 0; k < certificates.size(); ++k) {

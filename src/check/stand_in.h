@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Which square system is judged for the file's? The file's own where it can be.
 //
-//   square                itself, or the bases of its equations where these are powers (polynomial/powers.h): the same roots, with
-//                         `sheets` times less multiplicity
-//   fewer equations       the slices of the result's seed are appended (polynomial/square_up.h): the roots are witness points
-//   more equations        random combinations of a seed of the judge's own: a root of them need not be one of the file
+//   square                itself, or the bases of its equations where these are powers
+//                         (polynomial/powers.h): the same roots, with `sheets` times less
+//                         multiplicity
+//   fewer equations       the slices of the result's seed are appended (polynomial/square_up.h):
+//                         the roots are witness points
+//   more equations        random combinations of a seed of the judge's own: a root of them need not
+//                         be one of the file
 //   homogeneous groups    a patch a group (polynomial/patches.h); points are brought onto it
 #pragma once
 
@@ -29,7 +32,8 @@ struct StandIn {
   bool has_patches() const { return !patches.empty(); }
 };
 
-/// Powers are taken apart only where `counts_paths`. Throws std::invalid_argument where the file's groups cannot be patched.
+/// Powers are taken apart only where `counts_paths`. Throws std::invalid_argument where the file's
+/// groups cannot be patched.
 StandIn make_stand_in(const System& f, std::uint64_t seed, bool counts_paths);
 
 /// x on the patches of the stand-in; x itself where there are none.

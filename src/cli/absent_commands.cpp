@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The commands about mechanisms where mechanisms were not built: each says so, whatever its arguments.
+// The commands about mechanisms where mechanisms were not built: each says so, whatever its
+// arguments.
 #include "absent_command.h"
 
 namespace moivre {

@@ -33,7 +33,8 @@ void add_arm_options(CLI::App& command, ArmOptions& options);
 /// Whether any of them was given.
 bool are_given(const ArmOptions& options);
 
-/// The robot as a mechanism file, with the loops that a side file closes. Throws ParseError, std::invalid_argument.
+/// The robot as a mechanism file, with the loops that a side file closes. Throws ParseError,
+/// std::invalid_argument.
 std::string robot_as_mechanism(const std::string& file, const Source& source,
                                const ArmOptions& options);
 

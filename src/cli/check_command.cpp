@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre check SYSTEM RESULT: an independent judge of a result; every claim that does not hold is named.
+// moivre check SYSTEM RESULT: an independent judge of a result; every claim that does not hold is
+// named.
 #include <memory>
 #include <stdexcept>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Words ride on a check of CLI11 that accepts everything: as its name, since an option has no other place for them.
+// Words ride on a check of CLI11 that accepts everything: as its name, since an option has no other
+// place for them.
 #include "choices.h"
 
 #include <sstream>

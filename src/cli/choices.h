@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which words does an option take? What completes a command line offers them; the option itself refuses others, in its own words.
+// Which words does an option take? What completes a command line offers them; the option itself
+// refuses others, in its own words.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,13 +9,16 @@
 
 namespace moivre {
 
-/// Notes the words with the option. They check nothing and are not shown by --help, whose sentence names them.
+/// Notes the words with the option. They check nothing and are not shown by --help, whose sentence
+/// names them.
 void offer(CLI::Option& option, const std::vector<std::string>& words);
 
-/// What the checks of an option say of themselves in --help, the last one first: "{rad,deg}", "POSITIVE".
+/// What the checks of an option say of themselves in --help, the last one first: "{rad,deg}",
+/// "POSITIVE".
 std::vector<std::string> checks_of(CLI::Option& option);
 
-/// The words of offer(), or those that the option's own check {one,other} names; empty where it takes others.
+/// The words of offer(), or those that the option's own check {one,other} names; empty where it
+/// takes others.
 std::vector<std::string> offered(CLI::Option& option);
 
 }  // namespace moivre

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre closures FILE: every way a mechanism can be assembled, and its sensitivities, told as text, JSON or CSV.
+// moivre closures FILE: every way a mechanism can be assembled, and its sensitivities, told as
+// text, JSON or CSV.
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -48,7 +49,8 @@ struct ClosuresCommand {
   LedgerChoice ledger;
 };
 
-/// What a page shows where drivers move: one turn of the first driver. None where no page is wanted or nothing moves.
+/// What a page shows where drivers move: one turn of the first driver. None where no page is wanted
+/// or nothing moves.
 std::optional<MotionResult> motion_for_page(const ClosureResult& result, const Mechanism& mechanism,
                                             const ClosuresCommand& command, const Tracker& tracker,
                                             const ClosureOptions& options, ProgressLine& line,
@@ -93,7 +95,8 @@ int run_robot(const ClosuresCommand& command, const Source& source) {
 
 constexpr const char* kTolerance = "--tolerance";
 
-/// With --sensitivity a tolerance is one of dimensions; else the lanes', and none of these is given.
+/// With --sensitivity a tolerance is one of dimensions; else the lanes', and none of these is
+/// given.
 std::optional<double> dimension_tolerance(const ClosuresCommand& command) {
   const std::vector<std::string>& given = command.tracker.of_lanes;
   const bool is_given = std::find(given.begin(), given.end(), kTolerance) != given.end();
@@ -141,7 +144,8 @@ Mechanism read_choice(const ClosuresCommand& command, const Source& source) {
   return read_mechanism_file(command.file, source);
 }
 
-/// The tracker that is chosen. Throws std::invalid_argument with all that is wrong with the options.
+/// The tracker that is chosen. Throws std::invalid_argument with all that is wrong with the
+/// options.
 std::unique_ptr<Tracker> checked_tracker(const ClosuresCommand& command) {
   std::unique_ptr<Tracker> tracker;
   require_all(

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which of a designer's quantities are wanted? --columns and --output, for the table, the extremes and the page's plots.
+// Which of a designer's quantities are wanted? --columns and --output, for the table, the extremes
+// and the page's plots.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is a command? It adds its options to the command line and, when it is chosen, runs to an exit code.
+// What is a command? It adds its options to the command line and, when it is chosen, runs to an
+// exit code.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,7 +15,8 @@ namespace moivre {
 /// The command that the user chose; it runs after all of the command line was understood.
 using Chosen = std::function<int()>;
 
-/// Gives an empty `moivre` its options and its commands: only the one that the first of the words names, else all.
+/// Gives an empty `moivre` its options and its commands: only the one that the first of the words
+/// names, else all.
 void describe_program(CLI::App& moivre, Chosen& chosen, const std::vector<std::string>& words = {});
 
 void add_solve_command(CLI::App& moivre, Chosen& chosen);

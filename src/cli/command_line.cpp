@@ -135,7 +135,8 @@ constexpr Command kCommands[]{
     {"check", add_check_command},         {"family", add_family_command},
     {"sweep", add_sweep_command},         {"ledger", add_ledger_command}};
 
-/// Only the one that is called, where the first word names it: the options of all the others take half a millisecond.
+/// Only the one that is called, where the first word names it: the options of all the others take
+/// half a millisecond.
 void add_commands(CLI::App& moivre, Chosen& chosen, const std::string& first_word) {
   const bool is_named = std::any_of(std::begin(kCommands), std::end(kCommands),
                                     [&](const Command& c) { return c.name == first_word; });

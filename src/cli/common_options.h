@@ -24,7 +24,8 @@ struct StartChoice {
   std::string kind = "auto";
   std::uint64_t seed = 1;
 };
-/// Throws ParseError, and std::invalid_argument also for a mechanism file, with the commands that take one.
+/// Throws ParseError, and std::invalid_argument also for a mechanism file, with the commands that
+/// take one.
 System read_polynomial_file(const std::string& file);
 
 void add_start_options(CLI::App& command, StartChoice& choice);
@@ -40,7 +41,8 @@ void add_threads_option(CLI::App& command, int& threads);
 void add_time_option(CLI::App& command, double& at);
 void add_quiet_flag(CLI::App& command, bool& quiet);
 
-/// A sentence when the text is an integer below 0 or beyond 64 bits, which CLI11 would wrap around or cut; else empty.
+/// A sentence when the text is an integer below 0 or beyond 64 bits, which CLI11 would wrap around
+/// or cut; else empty.
 std::string not_64_bits(const std::string& number);
 
 /// "--time-limit" of a command that may run long.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre family learn|solve|info: a system with parameters solved once, then again at the price of its true number of roots.
+// moivre family learn|solve|info: a system with parameters solved once, then again at the price of
+// its true number of roots.
 #include "family_learn.h"
 #include "family_solve.h"
 #include "moivre/family_report/family_report.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre family learn FILE --parameters a,b -o F.family: solves a random complex member and keeps its roots.
+// moivre family learn FILE --parameters a,b -o F.family: solves a random complex member and keeps
+// its roots.
 #include "family_learn.h"
 
 #include <unistd.h>
@@ -67,7 +68,8 @@ std::vector<NamedParameter> parameters_of(const std::string& text) {
   return parameters;
 }
 
-/// What the file declares, and what the option names; a constant's value is its typical size where none is given.
+/// What the file declares, and what the option names; a constant's value is its typical size where
+/// none is given.
 Family read_family_of(const LearnCommand& command) {
   std::vector<NamedParameter> parameters = parameters_of(command.parameters);
   std::vector<std::string> names;
@@ -166,7 +168,8 @@ FamilyFile learn_interruptibly(const LearnCommand& command, Family family, const
   return file;
 }
 
-/// Where it cannot be written to its place it is kept elsewhere: what was learned took its time. Why, or empty.
+/// Where it cannot be written to its place it is kept elsewhere: what was learned took its time.
+/// Why, or empty.
 std::string written(Output& out, const std::string& text) {
   try {
     out.write(text);

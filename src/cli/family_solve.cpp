@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre family solve F.family --at a=1,b=2 | --table FILE: members by as many paths as a generic one has roots.
+// moivre family solve F.family --at a=1,b=2 | --table FILE: members by as many paths as a generic
+// one has roots.
 #include "family_solve.h"
 
 #include <memory>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A line of `complete` for each command and option, on a condition that tells the command from the words typed so far.
+// A line of `complete` for each command and option, on a condition that tells the command from the
+// words typed so far.
 #include "completion.h"
 #include "moivre/expression/joined.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre guesses FILE: every closure (or real root) as an initial guess for a Newton solve of one's own.
+// moivre guesses FILE: every closure (or real root) as an initial guess for a Newton solve of one's
+// own.
 #include <memory>
 
 #include "command.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The only signal handlers of Moivre, the only handler of failed allocations, and the thread that looks at memory.
+// The only signal handlers of Moivre, the only handler of failed allocations, and the thread that
+// looks at memory.
 #include "interruption.h"
 
 #include <sys/time.h>
@@ -35,7 +36,8 @@ constexpr int kSignals[]{SIGINT, SIGTERM, SIGHUP};
 // Untouched, so that it takes address space only.
 constexpr std::size_t kReserve = std::size_t{32} << 20;
 constexpr std::chrono::milliseconds kLook{50};
-// What a run has in memory is told with less than a third of it again; of little of it the reserve is enough.
+// What a run has in memory is told with less than a third of it again; of little of it the reserve
+// is enough.
 constexpr std::uint64_t kShareToTell = 3;
 constexpr std::uint64_t kLeastToTell = std::uint64_t{8} << 20;
 
@@ -55,7 +57,8 @@ void note_signal(int signal) {
 
 void note_time(int) { ask_to_stop(Reason::time); }
 
-/// Called where memory cannot be had: once for all threads the reserve is given up, and each tries once more.
+/// Called where memory cannot be had: once for all threads the reserve is given up, and each tries
+/// once more.
 void give_up_reserve() {
   thread_local bool has_tried_again = false;
   void* const block = reserve.exchange(nullptr);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What asks a run to stop with what is finished? Ctrl-C and its like, a limit of time, and memory that runs out.
+// What asks a run to stop with what is finished? Ctrl-C and its like, a limit of time, and memory
+// that runs out.
 //
-//   SIGINT, SIGTERM, SIGHUP   the first one asks the run to stop, the second ends the program at once; SIGHUP does not, where the run was
-//                             begun with nohup
+//   SIGINT, SIGTERM, SIGHUP   the first one asks the run to stop, the second ends the program at
+//                             once; SIGHUP does not, where the run was begun with nohup
 //   a limit of time           asks as the first signal does
 //   a ledger                  that cannot be written any more asks too
-//   memory                    looked at now and then: what is left has to suffice for telling what is finished. Where an
-//                             allocation fails all the same a reserve is given up for that
+//   memory                    looked at now and then: what is left has to suffice for telling what
+//                             is finished. Where an allocation fails all the same a reserve is
+//                             given up for that
 //
 // While results are written a signal gives the writing up (is_writing_interrupted()).
 #pragma once

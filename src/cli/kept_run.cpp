@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The options of a call as the identity of its run and as a question, and results on their way through the ledger.
+// The options of a call as the identity of its run and as a question, and results on their way
+// through the ledger.
 #include "kept_run.h"
 
 #include <algorithm>

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// How does a command survive its process? What it observes is kept in a ledger, and so is what it writes at its end.
+// How does a command survive its process? What it observes is kept in a ledger, and so is what it
+// writes at its end.
 //
 //   the first call      observes, keeps, and writes its results
 //   after a kill        the same call takes what was observed and observes the rest
-//   after the end       the same call writes what the finished run has written, without another look
+//   after the end       the same call writes what the finished run has written, without another
+//                       look
 //
-// One call is the same as another where all its options are, but for those that say where results go, how many threads there are, and
-// how long it may take. One run is the same as another where its files' content and what its paths depend on are.
+// One call is the same as another where all its options are, but for those that say where results
+// go, how many threads there are, and how long it may take. One run is the same as another where
+// its files' content and what its paths depend on are.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -35,8 +38,9 @@ void add_ledger_option(CLI::App& command, LedgerChoice& choice);
 
 class KeptRun {
  public:
-  /// inputs: files whose content makes the run this one; empty names are none. Throws std::invalid_argument where the ledger cannot be used,
-  /// with what differs where it is another run's.
+  /// inputs: files whose content makes the run this one; empty names are none. Throws
+  /// std::invalid_argument where the ledger cannot be used, with what differs where it is another
+  /// run's.
   KeptRun(const LedgerChoice& choice, const std::vector<std::string>& inputs);
   ~KeptRun();
   KeptRun(const KeptRun&) = delete;
@@ -48,14 +52,15 @@ class KeptRun {
   void tell(const Progress& progress);
   void tell(std::uint64_t done, std::uint64_t total);
 
-  /// Where this call has ended before: delivers what it wrote, to outputs in the order in which deliver() had them. The exit code then.
+  /// Where this call has ended before: delivers what it wrote, to outputs in the order in which
+  /// deliver() had them. The exit code then.
   std::optional<int> deliver_again(const std::vector<Output*>& outputs, bool quiet);
 
   /// A result that is written elsewhere, in its place among the outputs, for deliver() to keep.
   void keep_beside(std::size_t place, std::string text);
 
-  /// deliver(), and keeps all of it where the run has come to its end. Returns the exit code, which tells of a ledger that could not be
-  /// written too.
+  /// deliver(), and keeps all of it where the run has come to its end. Returns the exit code, which
+  /// tells of a ledger that could not be written too.
   int deliver(const std::vector<Form>& forms, bool quiet, const Content& text,
               const std::string& unfinished, int exit_code);
   int deliver(const std::vector<Form>& forms, bool quiet, const std::function<std::string()>& text,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which families does a mechanism consist of? One a kind of block of its closure equations, every coefficient a parameter.
+// Which families does a mechanism consist of? One a kind of block of its closure equations, every
+// coefficient a parameter.
 #pragma once
 
 #include <atomic>
@@ -9,8 +10,8 @@
 
 namespace moivre {
 
-/// Throws std::invalid_argument where the file is no mechanism, this program knows none, it has no closures by solving, or
-/// the run was stopped.
+/// Throws std::invalid_argument where the file is no mechanism, this program knows none, it has no
+/// closures by solving, or the run was stopped.
 FamilyFile learn_mechanism(const std::string& path, const Tracker& tracker,
                            const SolveOptions& options, const std::atomic<bool>& stop);
 

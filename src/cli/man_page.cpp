@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sections in the order of man-pages(7). The page has no date: the same sources make the same bytes.
+// Sections in the order of man-pages(7). The page has no date: the same sources make the same
+// bytes.
 #include "man_page.h"
 
 #include <algorithm>
@@ -11,7 +12,8 @@
 namespace moivre {
 namespace {
 
-/// Text as troff takes it: a backslash and a hyphen as typed, and no line that begins like a request.
+/// Text as troff takes it: a backslash and a hyphen as typed, and no line that begins like a
+/// request.
 std::string escaped(const std::string& text) {
   std::string result = text.find_first_of(".'") == 0 ? "\\&" : "";
   for (const char c : text) {

@@ -11,8 +11,8 @@ namespace moivre {
 /// "moivre-solve", of `moivre family learn` "moivre-family-learn".
 std::string page_name(const ManualCommand& command);
 
-/// The page; `program` is `moivre` itself, whose other pages are named at the end. Throws std::logic_error when
-/// manual_text.cpp says nothing of the command.
+/// The page; `program` is `moivre` itself, whose other pages are named at the end. Throws
+/// std::logic_error when manual_text.cpp says nothing of the command.
 std::string man_page(const ManualCommand& command, const ManualCommand& program,
                      const std::string& version);
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What does the command line tell of itself? The options and examples of every command, as man pages and completion show them.
+// What does the command line tell of itself? The options and examples of every command, as man
+// pages and completion show them.
 //
-// Everything is read off the objects that parse the command line and print --help: an option cannot be in one and not in the other.
+// Everything is read off the objects that parse the command line and print --help: an option cannot
+// be in one and not in the other.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What does a man page say that --help does not? What a command is for, and what its answer is worth.
+// What does a man page say that --help does not? What a command is for, and what its answer is
+// worth.
 #pragma once
 
 #include <string>
@@ -7,7 +8,8 @@
 
 namespace moivre {
 
-/// Paragraphs on the command of this name ("solve", "family learn"; "" is `moivre` itself); empty where there is none.
+/// Paragraphs on the command of this name ("solve", "family learn"; "" is `moivre` itself); empty
+/// where there is none.
 std::vector<std::string> paragraphs_on(const std::string& command);
 
 /// Pages that belong together: what to read besides this one.

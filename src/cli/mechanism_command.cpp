@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre mechanism ARM.urdf: the robot as a mechanism file, to be read, changed and given to the other commands.
+// moivre mechanism ARM.urdf: the robot as a mechanism file, to be read, changed and given to the
+// other commands.
 #include <memory>
 
 #include "arm_closures.h"

@@ -12,14 +12,15 @@ namespace moivre {
 
 class MechanismFamilies {
  public:
-  /// path: empty where none are wanted; a file that is not there yet is begun. Throws std::invalid_argument where it holds
-  /// something else, or cannot be written.
+  /// path: empty where none are wanted; a file that is not there yet is begun. Throws
+  /// std::invalid_argument where it holds something else, or cannot be written.
   MechanismFamilies(const std::string& path, const std::string& source, std::uint64_t seed);
 
   FamilyBook& book() { return book_; }
   /// Makes every solve ask the book, where families are wanted.
   void serve(SolveOptions& options);
-  /// Writes the file where something was learned, or it is new, with what another process has learned meanwhile.
+  /// Writes the file where something was learned, or it is new, with what another process has
+  /// learned meanwhile.
   void keep();
 
  private:

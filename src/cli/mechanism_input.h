@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which mechanism does the user mean, and from which guess? Mechanism, equation and polynomial files; NAME=VALUE options.
+// Which mechanism does the user mean, and from which guess? Mechanism, equation and polynomial
+// files; NAME=VALUE options.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -21,7 +22,8 @@ bool is_mechanism_file(const std::string& file);
 Mechanism read_mechanism_file(const std::string& file);
 Mechanism read_mechanism_file(const std::string& file, const Source& source);
 
-/// A mechanism file, or a polynomial file as a typed mechanism. Throws ParseError, std::invalid_argument.
+/// A mechanism file, or a polynomial file as a typed mechanism. Throws ParseError,
+/// std::invalid_argument.
 Mechanism read_any_mechanism(const std::string& file);
 
 /// What a run changes of the mechanism in the file.
@@ -42,10 +44,12 @@ struct GuessChoice {
 };
 void add_guess_options(CLI::App& command, GuessChoice& choice);
 
-/// The file's initial guess with the user's values put in. Throws std::invalid_argument that names every fault.
+/// The file's initial guess with the user's values put in. Throws std::invalid_argument that names
+/// every fault.
 Eigen::VectorXd chosen_guess(const Mechanism& mechanism, const GuessChoice& choice);
 
-/// A number a coordinate: `base` where the user gives none. Throws std::invalid_argument that names every fault.
+/// A number a coordinate: `base` where the user gives none. Throws std::invalid_argument that names
+/// every fault.
 Eigen::VectorXd named_values(const Mechanism& mechanism, const std::vector<std::string>& settings,
                              const Eigen::VectorXd& base, AngleUnit unit);
 

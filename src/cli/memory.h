@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How much memory may this process still take? What a limit of the shell, a container or the machine leaves.
+// How much memory may this process still take? What a limit of the shell, a container or the
+// machine leaves.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre mobility FILE: degrees of freedom, redundant rows by name, directions of motion, at an assembled pose.
+// moivre mobility FILE: degrees of freedom, redundant rows by name, directions of motion, at an
+// assembled pose.
 #include <memory>
 #include <optional>
 

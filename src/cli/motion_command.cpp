@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre motion FILE: every closure followed along the drivers, or the pose from a guess; text, JSON or CSV.
+// moivre motion FILE: every closure followed along the drivers, or the pose from a guess; text,
+// JSON or CSV.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -56,7 +57,8 @@ bool prescribes_angle(const Mechanism& mechanism, const Driver& driver) {
          (driver.kind == DriverKind::unknown && mechanism.unknowns[driver.unknown].is_angle);
 }
 
-/// A branch takes a step of `longest_step` at most for a radian of a body, or of half a turn in a quaternion.
+/// A branch takes a step of `longest_step` at most for a radian of a body, or of half a turn in a
+/// quaternion.
 void require_reachable(const Mechanism& mechanism, const MotionOptions& options) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const double most = 2 * options.branch.maximum_steps * options.branch.longest_step / kTurn;
@@ -140,7 +142,8 @@ MotionResult moved(const Mechanism& mechanism, const MotionCommand& command, con
   return follow_guesses(mechanism, {chosen_guess(mechanism, choice)}, options, stop);
 }
 
-/// The tracker that is chosen. Throws std::invalid_argument with all that is wrong with the options.
+/// The tracker that is chosen. Throws std::invalid_argument with all that is wrong with the
+/// options.
 std::unique_ptr<Tracker> checked_tracker(const MotionCommand& command) {
   std::unique_ptr<Tracker> tracker;
   require_all({[&] { require_known(command.start); },

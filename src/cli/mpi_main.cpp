@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The program `moivre-mpi`: the commands of `moivre`, whose lists of jobs all ranks do together. Rank 0 tells.
+// The program `moivre-mpi`: the commands of `moivre`, whose lists of jobs all ranks do together.
+// Rank 0 tells.
 #include <fcntl.h>
 #include <unistd.h>
 

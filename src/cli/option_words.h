@@ -6,7 +6,8 @@
 
 namespace moivre {
 
-/// A refusal of the library, which names its own options in backquotes, in the words of the command line.
+/// A refusal of the library, which names its own options in backquotes, in the words of the command
+/// line.
 std::string in_option_words(std::string refusal);
 
 }  // namespace moivre

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Output files by POSIX descriptors: tried early, written late, beside their place and moved there when they are whole.
+// Output files by POSIX descriptors: tried early, written late, beside their place and moved there
+// when they are whole.
 #include "output.h"
 
 #include <fcntl.h>
@@ -31,7 +32,8 @@ constexpr mode_t kReadWriteForAll = 0666;  // less what the umask takes away
   throw std::invalid_argument("cannot write " + path + ": " + std::strerror(errno));
 }
 
-/// A descriptor, closed at the end. Never 0, 1 or 2: where those are closed, messages would go into the file.
+/// A descriptor, closed at the end. Never 0, 1 or 2: where those are closed, messages would go into
+/// the file.
 class Descriptor {
  public:
   explicit Descriptor(int descriptor) : descriptor_(descriptor) {
@@ -92,7 +94,8 @@ std::string name_beside(const std::string& path) {
   return folder_of(path) + "/.moivre-" + std::to_string(::getpid());
 }
 
-/// Without a name, so that nothing stays behind where the process is killed; -1 where the file system has no such files.
+/// Without a name, so that nothing stays behind where the process is killed; -1 where the file
+/// system has no such files.
 int open_nameless(const std::string& folder) {
 #ifdef O_TMPFILE
   // Its name comes by way of /proc.
@@ -113,7 +116,8 @@ bool has_synced(int descriptor) {
   return ::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS || errno == ENOSYS;
 }
 
-/// The entries of a folder, after a file was moved in it; where that fails the file is there all the same.
+/// The entries of a folder, after a file was moved in it; where that fails the file is there all
+/// the same.
 void sync_folder(const std::string& folder) {
   const Descriptor descriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (descriptor.is_open()) ::fsync(descriptor.number());
@@ -146,7 +150,8 @@ TextSink sink_of(const Descriptor& file, const std::string& path) {
   };
 }
 
-/// A file beside its place, which is removed again unless it is moved there. It has no name before, where that can be.
+/// A file beside its place, which is removed again unless it is moved there. It has no name before,
+/// where that can be.
 class Draft {
  public:
   explicit Draft(const std::string& target)
@@ -180,7 +185,8 @@ class Draft {
   bool has_moved_ = false;
 };
 
-/// Written beside and moved: false where that cannot be done here. Throws when the text cannot be written.
+/// Written beside and moved: false where that cannot be done here. Throws when the text cannot be
+/// written.
 bool is_replaced(const std::string& path, const Content& content) {
   const std::string target = behind_links(path);
   Draft draft(target);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which start system does the user bring along? G and one of its roots, in the variables of the target.
+// Which start system does the user bring along? G and one of its roots, in the variables of the
+// target.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,8 @@ struct OwnStart {
   std::uint64_t points = 0;  ///< in the file
 };
 
-/// Throws std::invalid_argument when G is not in the same variables, or has no point of that number.
+/// Throws std::invalid_argument when G is not in the same variables, or has no point of that
+/// number.
 OwnStart read_own_start(const std::string& system_file, const std::string& points_file,
                         std::uint64_t number, const System& target);
 

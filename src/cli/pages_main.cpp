@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre_pages FOLDER: the man pages and the completion of the shells, written below FOLDER as they are installed below share.
+// moivre_pages FOLDER: the man pages and the completion of the shells, written below FOLDER as they
+// are installed below share.
 #include <cstdio>
 #include <exception>
 #include <filesystem>

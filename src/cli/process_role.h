@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Is this process the one that tells, or one of several that only work? Of those that mpirun starts rank 0 tells.
+// Is this process the one that tells, or one of several that only work? Of those that mpirun starts
+// rank 0 tells.
 //
-// One that only works runs the command as the other does, on files that it reads itself, and writes nothing: no result, no ledger, no
-// text. Its limit of time is that of the process that tells.
+// One that only works runs the command as the other does, on files that it reads itself, and writes
+// nothing: no result, no ledger, no text. Its limit of time is that of the process that tells.
 #pragma once
 
 #include "moivre/numeric/observations.h"

@@ -20,7 +20,8 @@ class ProgressLine {
   bool is_active() const { return active_; }
   /// Not thread-safe; the solver calls it one call at a time.
   void show(const Progress& progress);
-  /// The same with a text of one's own; seconds are added, and how many are left by the share of the work that is done.
+  /// The same with a text of one's own; seconds are added, and how many are left by the share of
+  /// the work that is done.
   void show(const std::string& text, double done = 0);
 
  private:

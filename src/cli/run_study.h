@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What does `moivre study` do with its files? Reads all of them, studies one after another, and tells.
+// What does `moivre study` do with its files? Reads all of them, studies one after another, and
+// tells.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre solve FILE: all roots of a polynomial file, told as text, JSON, CSV or PHCpack's solution list.
+// moivre solve FILE: all roots of a polynomial file, told as text, JSON, CSV or PHCpack's solution
+// list.
 #include <memory>
 #include <optional>
 #include <stdexcept>

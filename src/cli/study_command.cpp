@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre study FILE...: error against run time over trackers and tolerances, as tables, diagrams and a page.
+// moivre study FILE...: error against run time over trackers and tolerances, as tables, diagrams
+// and a page.
 #include <memory>
 
 #include "command.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is in the folder of a study? study.csv, index.html, each file's diagrams with scripts. Known to be writable beforehand.
+// What is in the folder of a study? study.csv, index.html, each file's diagrams with scripts. Known
+// to be writable beforehand.
 #pragma once
 
 #include <optional>
@@ -13,11 +14,12 @@ namespace moivre {
 
 class StudyFolder {
  public:
-  /// Makes the folder; an empty name: none is wanted. Throws std::invalid_argument when it cannot be written to.
+  /// Makes the folder; an empty name: none is wanted. Throws std::invalid_argument when it cannot
+  /// be written to.
   explicit StudyFolder(const std::string& folder);
 
-  /// Writes everything, draws what gnuplot can draw, and puts the diagrams into `studies`. Returns a sentence when a
-  /// diagram was not drawn, else nothing.
+  /// Writes everything, draws what gnuplot can draw, and puts the diagrams into `studies`. Returns
+  /// a sentence when a diagram was not drawn, else nothing.
   std::string write(std::vector<StudiedFile>& studies);
 
  private:

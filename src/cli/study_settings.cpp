@@ -22,7 +22,8 @@ constexpr double kRefereeTolerance = 1e-4;
 
 const std::string kNewton = "+newton";
 
-/// Tighter than this a predictor of low order spends its budget of steps; it is tried only where the user says so.
+/// Tighter than this a predictor of low order spends its budget of steps; it is tried only where
+/// the user says so.
 double tightest_of(const std::string& curve) {
   if (curve == "lanes+tangent") return 1e-4;
   if (curve == "lanes+cubic") return 1e-8;

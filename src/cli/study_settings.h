@@ -2,9 +2,10 @@
 // Which trackers and tolerances does a study run? Curves by name, each along the same tolerances.
 //
 //   bdf_projection, bdf, adams           CVODE's methods, formulas solved by fixed-point iteration
-//   the same with +newton                by Newton's iteration with a Jacobian by difference quotients
-//   lanes, lanes+cubic, lanes+tangent    the SIMD tracker with its three predictors; its tolerance is that of the first
-//                                        correction
+//   the same with +newton                by Newton's iteration with a Jacobian by difference
+//                                        quotients
+//   lanes, lanes+cubic, lanes+tangent    the SIMD tracker with its three predictors; its tolerance
+//                                        is that of the first correction
 #pragma once
 
 #include <memory>
@@ -27,8 +28,8 @@ struct ChosenSetting {
   std::shared_ptr<const Tracker> tracker;
 };
 
-/// Curve by curve, tolerances falling. Throws std::invalid_argument for a curve that there is not and a tolerance that its
-/// tracker refuses.
+/// Curve by curve, tolerances falling. Throws std::invalid_argument for a curve that there is not
+/// and a tolerance that its tracker refuses.
 std::vector<ChosenSetting> chosen_settings(const StudyChoice& choice);
 
 /// A careful tracker and its careful witness; the second is nullptr where one tracker was built.

@@ -7,7 +7,8 @@
 namespace moivre {
 namespace {
 
-// Words are alike while no more than one letter in this many is wrong, to the nearest whole mistake; dashes of an option are no letters.
+// Words are alike while no more than one letter in this many is wrong, to the nearest whole
+// mistake; dashes of an option are no letters.
 constexpr std::size_t kLettersAMistake = 3;
 
 std::size_t most_mistakes(const std::string& word) {

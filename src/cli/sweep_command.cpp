@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre sweep FILE --vary NAME=FROM:TO:N: closures counted while one or two numbers of a mechanism vary.
+// moivre sweep FILE --vary NAME=FROM:TO:N: closures counted while one or two numbers of a mechanism
+// vary.
 #include <cmath>
 #include <memory>
 #include <stdexcept>

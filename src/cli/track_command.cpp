@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// moivre track FILE --path K: one path step by step, from the start system of solve or from one of one's own.
+// moivre track FILE --path K: one path step by step, from the start system of solve or from one of
+// one's own.
 #include <cstdio>
 #include <memory>
 #include <stdexcept>

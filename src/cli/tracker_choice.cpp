@@ -21,7 +21,8 @@
 namespace moivre {
 namespace {
 
-/// One with its options as chosen. All words that it does not take, and all numbers out of range, are refused at once.
+/// One with its options as chosen. All words that it does not take, and all numbers out of range,
+/// are refused at once.
 template <class Options>
 std::unique_ptr<Tracker> made(const OptionTable<Options>& table, const TrackerChoice& choice,
                               std::unique_ptr<Tracker> (*make)(const Options&)) {

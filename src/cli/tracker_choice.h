@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which tracker did the user choose, and with what options? One that this program was built without is refused by name.
+// Which tracker did the user choose, and with what options? One that this program was built without
+// is refused by name.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -29,10 +30,11 @@ struct TrackerOption {
 /// Of all trackers, built or not; first those of one tracker alone.
 std::vector<TrackerOption> tracker_options();
 void add_tracker_options(CLI::App& command, TrackerChoice& choice);
-/// Throws std::invalid_argument with the reason when there is no such tracker, an option is out of range, or one is given that
-/// the tracker does not take and no `witness` does.
+/// Throws std::invalid_argument with the reason when there is no such tracker, an option is out of
+/// range, or one is given that the tracker does not take and no `witness` does.
 std::unique_ptr<Tracker> make_tracker(const TrackerChoice& choice, bool has_witness = false);
-/// The other tracker, which takes over what the chosen one leaves in doubt; nullptr where it was not built.
+/// The other tracker, which takes over what the chosen one leaves in doubt; nullptr where it was
+/// not built.
 std::unique_ptr<Tracker> make_fallback(const TrackerChoice& choice);
 /// The other tracker. Throws std::invalid_argument when this program was built without it.
 std::unique_ptr<Tracker> make_witness(const TrackerChoice& choice);

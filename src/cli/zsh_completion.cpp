@@ -45,7 +45,8 @@ std::string function_of(const ManualCommand& command) {
   return name;
 }
 
-/// "'(-o --output)'{-o,--output}'[write here]:PATH:_files'"; one that may be repeated excludes nothing.
+/// "'(-o --output)'{-o,--output}'[write here]:PATH:_files'"; one that may be repeated excludes
+/// nothing.
 std::string option_line(const ManualOption& option) {
   std::string all, cases;
   for (const std::string& name : option.names) {

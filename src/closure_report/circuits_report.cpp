@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Circuits in words: their branches, what the driver does, how far each body goes; then the four-bar loops.
+// Circuits in words: their branches, what the driver does, how far each body goes; then the
+// four-bar loops.
 #include "circuits_report.h"
 
 #include <algorithm>
@@ -147,7 +148,8 @@ std::string stretches_text(const Circuit& circuit, const MotionResult& motion) {
   return joined(parts, " | ");
 }
 
-/// Where all closures on both sides are known and one branch comes in and one goes out, there is one way.
+/// Where all closures on both sides are known and one branch comes in and one goes out, there is
+/// one way.
 bool is_passed_in_one_way(const MotionEvent& event, const MotionResult& motion) {
   return motion.complete && !motion.checkpoints.empty() && event.ending.size() == 1 &&
          event.beginning.size() == 1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How are circuits told? A section of a motion's text, members of its JSON, a short name in pictures.
+// How are circuits told? A section of a motion's text, members of its JSON, a short name in
+// pictures.
 #pragma once
 
 #include <string>

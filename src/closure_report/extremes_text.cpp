@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The least and the largest value of each quantity for people, a block a branch, in the file's units.
+// The least and the largest value of each quantity for people, a block a branch, in the file's
+// units.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -47,7 +47,8 @@ Drawing draw_spatial(const Mechanism& mechanism, const std::vector<Eigen::Vector
                      const View& view);
 Drawing draw_unknowns(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& poses);
 
-/// Groups of points that joints hold together, each with the distinct names of its points: "A", or "A, P".
+/// Groups of points that joints hold together, each with the distinct names of its points: "A", or
+/// "A, P".
 struct Site {
   std::vector<PointOf> points;
   std::string name;
@@ -55,13 +56,16 @@ struct Site {
 };
 std::vector<Site> sites(const Mechanism& mechanism);
 
-/// Whether the file names the joint. Else its name is made of its points', which are written beside them.
+/// Whether the file names the joint. Else its name is made of its points', which are written beside
+/// them.
 bool has_own_name(const Mechanism& mechanism, const Joint& joint);
 
-/// Whether the joint's second point moves along a line or in a plane through its first, so that a line between them is in it.
+/// Whether the joint's second point moves along a line or in a plane through its first, so that a
+/// line between them is in it.
 bool is_guided(const Joint& joint);
 
-/// It turns about a line on which all its points lie, as a forearm does, or the bodies between a wrist's axes.
+/// It turns about a line on which all its points lie, as a forearm does, or the bodies between a
+/// wrist's axes.
 bool hides_its_turn(const Mechanism& mechanism, std::size_t body);
 
 /// All named points in all poses, as they are seen.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How can a pose move on though the drivers stand? One direction in the coordinates, and how it is told.
+// How can a pose move on though the drivers stand? One direction in the coordinates, and how it is
+// told.
 #pragma once
 
 #include <string>
@@ -8,7 +9,8 @@
 
 namespace moivre {
 
-/// The direction that Phi_q sees least at q, of length 1 where lengths are taken beside the mechanism's (angles in radians, n entries):
+/// The direction that Phi_q sees least at q, of length 1 where lengths are taken beside the
+/// mechanism's (angles in radians, n entries):
 /// the motion itself where there is one, else what comes nearest to one.
 Eigen::VectorXd free_motion(const Phi& phi, const Eigen::VectorXd& q, double t);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a list of closures or branches told to a reader? "A, B, C"; of many the first ones, and how many there are.
+// How is a list of closures or branches told to a reader? "A, B, C"; of many the first ones, and
+// how many there are.
 #pragma once
 
 #include <string>

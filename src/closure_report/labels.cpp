@@ -16,8 +16,8 @@ constexpr double kBodyFont = 11;
 // A base line below the middle of the letters, in font sizes.
 constexpr double kBaseline = 0.36;
 constexpr double kSpacing = 2;  // pixels from one dot of ink to the next
-// Costs: of a dot of a line, of a dot of a joint or of the ground, of a square pixel shared by two labels or outside the
-// frame, of a pixel of distance.
+// Costs: of a dot of a line, of a dot of a joint or of the ground, of a square pixel shared by two
+// labels or outside the frame, of a pixel of distance.
 constexpr double kLineCost = 1;
 constexpr double kSymbolCost = 3;
 constexpr double kOverlapCost = 1.5;

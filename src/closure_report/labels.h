@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Where do names go, so that they cover neither the mechanism nor each other? The best of places around each anchor, in turn.
+// Where do names go, so that they cover neither the mechanism nor each other? The best of places
+// around each anchor, in turn.
 //
-// What is drawn leaves ink, points with a weight; a place costs the ink below it, the labels it overlaps, and its distance.
+// What is drawn leaves ink, points with a weight; a place costs the ink below it, the labels it
+// overlaps, and its distance.
 #pragma once
 
 #include <vector>
@@ -11,7 +13,8 @@
 
 namespace moivre {
 
-/// A text's place in pixels: the middle of its base line, which lies `baseline` below the middle of its letters.
+/// A text's place in pixels: the middle of its base line, which lies `baseline` below the middle of
+/// its letters.
 struct PlacedLabel {
   const Label* label = nullptr;
   std::string text;

@@ -18,7 +18,8 @@ constexpr double kLine = 1.8;  // as in the style sheet
 constexpr double kStripe =
     5;  // by how much a branch's line is wider than the next one's on the same curve
 constexpr double kWidestStripes = 14;  // of all branches on one curve
-// Pairs of points, so that a long table is drawn at once: curves of more are told alike by their times alone.
+// Pairs of points, so that a long table is drawn at once: curves of more are told alike by their
+// times alone.
 constexpr std::size_t kMostPairs = 4'000'000;
 
 double distance_to_segment(Complex z, Complex from, Complex to) {

@@ -18,7 +18,8 @@ Json numbers_json(const std::vector<double>& numbers) {
   return list_json(numbers, [](double x) { return to_json(x); });
 }
 
-/// {"crank.A": {"position": [x, y], "velocity": ..., "acceleration": ...}}, {} for typed equations; numbers are to be filled in.
+/// {"crank.A": {"position": [x, y], "velocity": ..., "acceleration": ...}}, {} for typed equations;
+/// numbers are to be filled in.
 Json points_motion_form(const Mechanism& mechanism) {
   const Json vector = Json::array_t(mechanism.space == Space::planar ? 2 : 3);
   Json form = Json::object();
@@ -114,8 +115,9 @@ void write_branch(const MotionBranch& branch, const Mechanism& mechanism, const 
   report.member("time_ratios", time_ratios_json(columns->of_branch));
 }
 
-/// How the pose can move on where a branch cannot, though the drivers stand: one such direction, of length 1 (angles in radians,
-/// lengths beside the mechanism's). A joint's limit holds nothing else.
+/// How the pose can move on where a branch cannot, though the drivers stand: one such direction, of
+/// length 1 (angles in radians, lengths beside the mechanism's). A joint's limit holds nothing
+/// else.
 Json free_motion_json(const MotionEvent& event, const Mechanism& mechanism, const Phi& phi) {
   if (event.at.kind == EventKind::joint_limit) return nullptr;
   return coordinates_json(mechanism, free_motion(phi, event.at.q, event.at.time));

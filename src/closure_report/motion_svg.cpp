@@ -49,7 +49,8 @@ const MotionBranch* nearest_branch(const Phi& phi, const MotionResult& result,
   return nearest;
 }
 
-/// The pose in which the mechanism is shown: as drawn, q = 0, where a branch begins there; else the beginning nearest to the guess.
+/// The pose in which the mechanism is shown: as drawn, q = 0, where a branch begins there; else the
+/// beginning nearest to the guess.
 Eigen::VectorXd shown_pose(const Mechanism& mechanism, const MotionResult& result) {
   const Phi phi(mechanism);
   const Eigen::VectorXd drawn = Eigen::VectorXd::Zero(phi.dimension());

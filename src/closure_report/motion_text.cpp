@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A motion for people: branches from where to where, events with the drivers' values, what the checkpoints say.
+// A motion for people: branches from where to where, events with the drivers' values, what the
+// checkpoints say.
 #include <algorithm>
 #include <cmath>
 

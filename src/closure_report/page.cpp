@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The page: markup with the first poses drawn, and the data that its script drives them with.
 //
-// Data, as JSON: {"from", "to": seconds; "times": [..], "drivers": [{"name", "unit", "values": [a time]}],
-// "quantities": [{"name", "units": [of value, velocity, acceleration]}] (of value alone where that is all),
-// "branches": [{"t": [..], "frames": [[a b e f ...] a time], "series": [[values, velocities, accelerations] a quantity],
-// "begins", "ends": sentences, "colour": class, "dashes"}]}; a frame puts (x, y) at (a x - b y + e, b x + a y + f), in pixels.
+// Data, as JSON: {"from", "to": seconds; "times": [..], "drivers": [{"name", "unit", "values": [a
+// time]}], "quantities": [{"name", "units": [of value, velocity, acceleration]}] (of value alone
+// where that is all), "branches": [{"t": [..], "frames": [[a b e f ...] a time], "series":
+// [[values, velocities, accelerations] a quantity], "begins", "ends": sentences, "colour": class,
+// "dashes"}]}; a frame puts (x, y) at (a x - b y + e, b x + a y + f), in pixels.
 #include "moivre/closure_report/page.h"
 
 #include <cmath>
@@ -222,7 +223,8 @@ std::string matrix_text(const std::array<double, 4>& m) {
   return text + exact_text(m[3]) + ')';
 }
 
-/// A label keeps the place beside its anchor that it has in the branch's first pose; a body's turns with the body.
+/// A label keeps the place beside its anchor that it has in the branch's first pose; a body's turns
+/// with the body.
 std::string label_html(const PlacedLabel& placed, const Canvas& canvas,
                        const std::vector<Similarity>& places,
                        const std::vector<PlottedQuantity>& plotted) {
@@ -383,7 +385,8 @@ std::string sentence(const MotionBranch& branch, const MotionResult& result,
   return event ? text + ": " + to_string(result.events[*event].at.kind) : text;
 }
 
-/// The joints' angles and slides in three digits, for those who compare closures; empty where there are too many to read.
+/// The joints' angles and slides in three digits, for those who compare closures; empty where there
+/// are too many to read.
 std::string values_text(const Mechanism& mechanism, const Eigen::VectorXd& q) {
   constexpr std::size_t kMost = 8;
   constexpr double kDegree = std::numbers::pi / 180;

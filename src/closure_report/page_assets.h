@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What are the page's style and script? The texts of page.css, page.js and turning_page.js, put in by the build.
+// What are the page's style and script? The texts of page.css, page.js and turning_page.js, put in
+// by the build.
 #pragma once
 
 #include <string_view>

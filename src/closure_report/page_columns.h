@@ -12,7 +12,8 @@ namespace moivre {
 
 struct Readings;
 
-/// A value with its velocity and acceleration is one quantity of three series, any other is one of one.
+/// A value with its velocity and acceleration is one quantity of three series, any other is one of
+/// one.
 struct PageColumns {
   Json quantities = Json::array();  ///< [{"name", "units": [one or three]}]
   std::vector<std::string> ids;     ///< of branches

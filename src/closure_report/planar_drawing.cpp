@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a planar mechanism drawn? Links as hulls of their points, joints by type, the ground hatched.
+// How is a planar mechanism drawn? Links as hulls of their points, joints by type, the ground
+// hatched.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -149,7 +150,8 @@ class PlanarDrawing {
                            kBlockHalfHeight * size_)});
   }
 
-  /// Beyond all places of the pin, but not over the first point where no pin gets there; held to it by a bar.
+  /// Beyond all places of the pin, but not over the first point where no pin gets there; held to it
+  /// by a bar.
   void add_slot(const Joint& joint) {
     const std::size_t body = joint.at[0].body;
     const Complex origin = at(joint.at[0]);
@@ -217,8 +219,8 @@ class PlanarDrawing {
         {LabelKind::body, joint.name, aim, half, std::nullopt, std::nullopt});
   }
 
-  /// The point of the carrier about which a wheel turns, and the same point of the wheel: held together by one joint, or by a
-  /// pin that both are on.
+  /// The point of the carrier about which a wheel turns, and the same point of the wheel: held
+  /// together by one joint, or by a pin that both are on.
   std::optional<std::array<PointOf, 2>> axle(std::size_t carrier, std::size_t wheel) const {
     for (const Site& site : sites(mechanism_)) {
       const auto on = [&](std::size_t body) {
@@ -233,7 +235,8 @@ class PlanarDrawing {
     return std::nullopt;
   }
 
-  /// The axles of both wheels; nothing where they do not turn about points of the carrier, apart from each other.
+  /// The axles of both wheels; nothing where they do not turn about points of the carrier, apart
+  /// from each other.
   std::optional<std::array<std::array<PointOf, 2>, 2>> axles(const Joint& joint) const {
     const auto first = axle(joint.gear.carrier, joint.at[0].body);
     const auto second = axle(joint.gear.carrier, joint.at[1].body);
@@ -296,8 +299,8 @@ class PlanarDrawing {
     return along.x() * gap.y() - along.y() * gap.x();
   }
 
-  /// Where the follower's point is in the carrier, beside the cam's centre, at a lift; nothing of a lever that has no pin on the
-  /// carrier or no other point.
+  /// Where the follower's point is in the carrier, beside the cam's centre, at a lift; nothing of a
+  /// lever that has no pin on the carrier or no other point.
   std::function<Complex(double)> follower_of(const Joint& joint) const {
     if (joint.type == JointType::cam) {
       const Complex along = flat(joint.axis[0]);
@@ -334,7 +337,8 @@ class PlanarDrawing {
     sketch_.add(Sketch::links, cam, colour(cam), {polyline(Style::link, std::move(curve))});
   }
 
-  /// A toothed bar where the pinion's pitch circle touches, from the first point to beyond all the pinion's places.
+  /// A toothed bar where the pinion's pitch circle touches, from the first point to beyond all the
+  /// pinion's places.
   void add_rack(const Joint& joint) {
     const std::size_t body = joint.at[0].body;
     const Complex along = flat(joint.axis[0]);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a pose written down in JSON? Coordinates by name, bodies, points; and what a mechanism's mobility is.
+// How is a pose written down in JSON? Coordinates by name, bodies, points; and what a mechanism's
+// mobility is.
 #pragma once
 
 #include "moivre/closures/closures.h"
@@ -19,8 +20,9 @@ class PoseJson {
  public:
   /// `mechanism` must outlive it.
   explicit PoseJson(const Mechanism& mechanism);
-  /// {"coordinates": {"crank.phi": 0.52, ...}, "bodies": {"crank": {"x":.., "y":.., "phi":..}, ...}, "points": {"crank.B": [x, y],
-  /// ...}}, of every point of a moving body; the last two are {} for typed equations. It stands until the next pose is read.
+  /// {"coordinates": {"crank.phi": 0.52, ...}, "bodies": {"crank": {"x":.., "y":.., "phi":..},
+  /// ...}, "points": {"crank.B": [x, y], ...}}, of every point of a moving body; the last two are
+  /// {} for typed equations. It stands until the next pose is read.
   const Json& read(const Eigen::VectorXd& q);
 
  private:
@@ -34,8 +36,8 @@ Json coordinates_json(const Mechanism& mechanism, const Eigen::VectorXd& q);
 /// {"body": .., "joint": .., "held": ..}
 Json idle_json(const std::vector<IdleJoint>& idle);
 
-/// What the reports of closures and of a motion begin with, behind report_head() of json.h: "seed", "complete", "message", "title", "idle",
-/// "warnings".
+/// What the reports of closures and of a motion begin with, behind report_head() of json.h: "seed",
+/// "complete", "message", "title", "idle", "warnings".
 template <class Result>
 Json result_head(const std::string& command, const std::string& file, const Result& result,
                  const Mechanism& mechanism) {
@@ -52,7 +54,8 @@ Json result_head(const std::string& command, const std::string& file, const Resu
 Json to_json(const Eigen::VectorXd& v);
 /// Row by row.
 Json rows_json(const Eigen::MatrixXd& m);
-/// {"length": "mm", "angle": "rad"}: of what JSON has, whatever the file was written in; null where it names no length.
+/// {"length": "mm", "angle": "rad"}: of what JSON has, whatever the file was written in; null where
+/// it names no length.
 Json units_json(const Mechanism& mechanism);
 
 }  // namespace moivre

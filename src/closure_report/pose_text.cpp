@@ -12,7 +12,8 @@
 namespace moivre {
 namespace {
 
-// Of radians, and of the largest length of a pose: a zero of rounding would fill the line with digits that say nothing.
+// Of radians, and of the largest length of a pose: a zero of rounding would fill the line with
+// digits that say nothing.
 constexpr double kRoundingNoise = 1e-14;
 
 /// The largest length among the coordinates.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How are poses, drivers and counts told to people? A line a body (or unknown), angles in the file's unit.
+// How are poses, drivers and counts told to people? A line a body (or unknown), angles in the
+// file's unit.
 #pragma once
 
 #include <string>

@@ -32,7 +32,8 @@ std::string rate_text(double x, double size) {
   return short_text(x);
 }
 
-/// Columns as wide as their widest cell; the `numbers` behind the first are right-aligned. A row of one cell is a line of words.
+/// Columns as wide as their widest cell; the `numbers` behind the first are right-aligned. A row of
+/// one cell is a line of words.
 std::string aligned(const std::vector<TableRow>& rows, std::size_t numbers) {
   std::vector<std::size_t> width;
   for (const TableRow& row : rows) {
@@ -103,7 +104,8 @@ class Tables {
     return aligned(rows, static_cast<std::size_t>(axes));
   }
 
-  /// What a designer reads off as output: the bodies' angles (in space the joints'), and the slides.
+  /// What a designer reads off as output: the bodies' angles (in space the joints'), and the
+  /// slides.
   std::string of_angles_and_slides() const {
     std::vector<TableRow> rows{{"angles and slides", "most", "by"}};
     if (told_.has_tolerances()) {
@@ -154,7 +156,8 @@ class Tables {
 
   /// Dimensions that move the point, most first; those that move it equally in the file's order.
   std::vector<std::size_t> ranked(const MatrixXd& rates) const {
-    // Rates that are equal but for rounding, as those of both ends of a link are, stand in one order everywhere.
+    // Rates that are equal but for rounding, as those of both ends of a link are, stand in one
+    // order everywhere.
     constexpr double kEqual = 1e-9;
     std::vector<std::size_t> order;
     double largest = 0;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How are a sample's coordinates shown: each angle in (-pi, pi], or going on from where the branch begins?
+// How are a sample's coordinates shown: each angle in (-pi, pi], or going on from where the branch
+// begins?
 //
-// A branch's own angles go on. Where they begin is a matter of whole turns: a body that a driver turns begins at the driver's value,
-// turns included, so that branches which begin later lie on the same line; others begin in (-pi, pi].
+// A branch's own angles go on. Where they begin is a matter of whole turns: a body that a driver
+// turns begins at the driver's value, turns included, so that branches which begin later lie on the
+// same line; others begin in (-pi, pi].
 #pragma once
 
 #include <cmath>
@@ -14,7 +16,8 @@
 
 namespace moivre {
 
-/// Whole turns, in radians, by coordinate: with them the angles of a branch that begins at q, t, begin where they are to be shown.
+/// Whole turns, in radians, by coordinate: with them the angles of a branch that begins at q, t,
+/// begin where they are to be shown.
 inline Eigen::VectorXd turns_to_begin(const Mechanism& mechanism, const Eigen::VectorXd& q,
                                       double t) {
   constexpr double kTurn = 2 * std::numbers::pi;

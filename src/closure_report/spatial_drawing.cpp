@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a spatial mechanism drawn? Bodies as thick lines between their points, joints with their axes, and where x, y, z go.
+// How is a spatial mechanism drawn? Bodies as thick lines between their points, joints with their
+// axes, and where x, y, z go.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How do figures become SVG? Shapes as paths in pixels (y downwards), a style sheet, text that no name can break out of.
+// How do figures become SVG? Shapes as paths in pixels (y downwards), a style sheet, text that no
+// name can break out of.
 #pragma once
 
 #include <string>
@@ -32,7 +33,8 @@ std::string figures_svg(const Drawing& drawing, const std::vector<Similarity>& p
 
 /// Of the body with this number; they repeat.
 std::string colour_text(std::size_t number);
-/// Of a line, as stroke-dasharray: number 0 is solid, and so are all whose colour is in the palette's first round.
+/// Of a line, as stroke-dasharray: number 0 is solid, and so are all whose colour is in the
+/// palette's first round.
 std::string dashes_text(std::size_t colour, std::size_t number = 0);
 
 /// Rules for the classes that figures and texts have.
@@ -57,7 +59,8 @@ std::string heading_svg(const std::string& title, const std::string& note, doubl
 /// A label's text, with its value where it has one.
 std::string label_text(const Label& label, const Mechanism& mechanism, const Eigen::VectorXd& q);
 
-/// A bar of a round length (1, 2 or 5 times a power of ten) about 80 pixels long, with the unit, its left end at `at`.
+/// A bar of a round length (1, 2 or 5 times a power of ten) about 80 pixels long, with the unit,
+/// its left end at `at`.
 std::string scale_bar(Complex at, double pixels_per_length, const std::string& unit);
 
 /// The document around `body`, white behind it.

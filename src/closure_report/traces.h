@@ -17,7 +17,8 @@ struct TracedPose {
   const BranchSample* sample = nullptr;
 };
 
-/// The event where the branch begins, its samples, the event where it ends; angles go on from where shown_angles.h lets them begin.
+/// The event where the branch begins, its samples, the event where it ends; angles go on from where
+/// shown_angles.h lets them begin.
 std::vector<TracedPose> traced_poses(const Mechanism& mechanism, const MotionBranch& branch,
                                      const MotionResult& result);
 
@@ -34,7 +35,8 @@ struct MovingPoint {
 /// One a site that moves, points without a joint first.
 std::vector<MovingPoint> moving_points(const Mechanism& mechanism);
 
-/// The points whose curves say most: those without a joint; else those of bodies that no joint holds to the ground; else all.
+/// The points whose curves say most: those without a joint; else those of bodies that no joint
+/// holds to the ground; else all.
 std::vector<MovingPoint> traced_points(const Mechanism& mechanism);
 
 /// Where the branch takes the point, as it is seen.

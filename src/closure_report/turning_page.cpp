@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The page of a spatial mechanism: a canvas a pose, lines and spots in space as data, and a script that turns them.
+// The page of a spatial mechanism: a canvas a pose, lines and spots in space as data, and a script
+// that turns them.
 //
-// Data, as JSON: {"centre": [x, y, z], "radius": r, "eye": [azimuth, elevation], "closures": [{"strokes": [stroke ...],
-// "spots": [[x, y, z] ...], "names": [[[x, y, z], name] ...]}]}; a stroke is [from, to, colour, pixels].
+// Data, as JSON: {"centre": [x, y, z], "radius": r, "eye": [azimuth, elevation], "closures":
+// [{"strokes": [stroke ...], "spots": [[x, y, z] ...], "names": [[[x, y, z], name] ...]}]}; a
+// stroke is [from, to, colour, pixels].
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -196,7 +198,8 @@ std::string panel_html(const Panel& panel) {
                  element("figcaption", {}, caption) + element("canvas", {{"tabindex", "0"}}, " "));
 }
 
-/// As many columns as leave the last row fullest, of four, five and three: eight postures are two rows of four.
+/// As many columns as leave the last row fullest, of four, five and three: eight postures are two
+/// rows of four.
 std::size_t columns_for(std::size_t panels) {
   constexpr std::size_t kFew = 3;
   if (panels <= kFew) return std::max<std::size_t>(panels, 1);

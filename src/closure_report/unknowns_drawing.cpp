@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How are typed equations drawn, which have no bodies? A dial for each angle, a ruler for each length.
+// How are typed equations drawn, which have no bodies? A dial for each angle, a ruler for each
+// length.
 #include <algorithm>
 
 #include "figures.h"

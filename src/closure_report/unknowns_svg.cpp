@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How do typed equations move? A plot of each unknown over the time, one below the other, every branch in its colour.
+// How do typed equations move? A plot of each unknown over the time, one below the other, every
+// branch in its colour.
 #include <algorithm>
 #include <numbers>
 #include <optional>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The motion of one pose with finer and finer samples: closures at some of them, differences between all.
+// The motion of one pose with finer and finer samples: closures at some of them, differences
+// between all.
 #include "moivre/closure_study/motion_table.h"
 
 #include <algorithm>
@@ -33,7 +34,8 @@ std::vector<double> times_of(double duration, int count) {
   return times;
 }
 
-/// Largest |difference| of the samples' `derivative` from the differences of `of`, over the largest |derivative|.
+/// Largest |difference| of the samples' `derivative` from the differences of `of`, over the largest
+/// |derivative|.
 double largest_difference(const std::vector<BranchSample>& samples, double h, Member of,
                           Member derivative) {
   double difference = 0;
@@ -62,7 +64,8 @@ class Checkpoints {
     }
   }
 
-  /// Largest distance of the samples at the checkpoints from the nearest closure; `samples` has all of them.
+  /// Largest distance of the samples at the checkpoints from the nearest closure; `samples` has all
+  /// of them.
   double error(const std::vector<BranchSample>& samples) const {
     const std::size_t stride = (samples.size() - 1) / closures_.size();
     double largest = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Coordinate by coordinate: sorted by its value, cut where neighbours differ, each piece by the next coordinate.
+// Coordinate by coordinate: sorted by its value, cut where neighbours differ, each piece by the
+// next coordinate.
 #include "moivre/closures/canonical_order.h"
 
 #include <algorithm>
@@ -13,7 +14,8 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using Positions = std::vector<std::size_t>::iterator;
 
-/// Sorts [first, last), whose poses tie in every coordinate before k. Values: lengths beside the largest, half a turn as it is named.
+/// Sorts [first, last), whose poses tie in every coordinate before k. Values: lengths beside the
+/// largest, half a turn as it is named.
 void sort_from(Index k, Positions first, Positions last, const std::vector<VectorXd>& values) {
   if (last - first < 2 || k == values.front().size()) return;
   std::stable_sort(first, last,
@@ -27,7 +29,8 @@ void sort_from(Index k, Positions first, Positions last, const std::vector<Vecto
   }
 }
 
-/// Half a turn about v is half a turn about -v: of the two, the one whose first coordinate that is not zero is positive.
+/// Half a turn about v is half a turn about -v: of the two, the one whose first coordinate that is
+/// not zero is positive.
 void name_half_turns(const std::vector<Coordinate>& coordinates, VectorXd& q) {
   constexpr Index kSize = 3;
   for (Index k = 0; k < q.size(); ++k) {

@@ -26,8 +26,9 @@ namespace {
 // Newton-Raphson polishes a pose; it does not look for another.
 constexpr double kPolish = 1e-4;
 
-/// Whether a root is near the pose q, as Phi and its derivatives there say. Along the direction v that Phi_q sees least, Phi is
-/// r + sigma s + b s^2 / 2: beside a fold that has no real zero though r is next to nothing.
+/// Whether a root is near the pose q, as Phi and its derivatives there say. Along the direction v
+/// that Phi_q sees least, Phi is r + sigma s + b s^2 / 2: beside a fold that has no real zero
+/// though r is next to nothing.
 bool has_root_nearby(const Phi& phi, const Eigen::VectorXd& q, double t) {
   constexpr double kSure = 0.125;  // of sigma^2; from 1/2 on there is no zero
   const Eigen::VectorXd row_units = phi.own_row_units();
@@ -60,8 +61,9 @@ void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResu
   search.result.closures.push_back(std::move(closure));
 }
 
-/// A double root of the solved equations may be two that rounding has parted, of which a spare equation leaves one. Their pose is regular,
-/// and nearer to one that is known than another regular pose can be.
+/// A double root of the solved equations may be two that rounding has parted, of which a spare
+/// equation leaves one. Their pose is regular, and nearer to one that is known than another regular
+/// pose can be.
 bool is_told(const ClosureSearch& search, const NewtonResult& pose) {
   const System& f = search.formulation.system;
   if (f.polynomials.size() <= f.variables.size() || pose.is_singular) return false;
@@ -220,7 +222,8 @@ void letter(std::vector<Closure>& closures, const Phi& phi) {
   closures = std::move(ordered);
 }
 
-// A root where motions cross may look isolated to the solver; its pose tells, and its paths are counted anew.
+// A root where motions cross may look isolated to the solver; its pose tells, and its paths are
+// counted anew.
 void find_poses(ClosureSearch& search) {
   ClosureResult& result = search.result;
   search.beyond_limits.clear();

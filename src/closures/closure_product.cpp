@@ -22,7 +22,8 @@ std::uint64_t all_of(const std::vector<std::size_t>& sizes) {
   return all;
 }
 
-/// All choices, the last index fastest, up to kMostListed; of more: the first of each, and for each other index the first of the others;
+/// All choices, the last index fastest, up to kMostListed; of more: the first of each, and for each
+/// other index the first of the others;
 /// last the one that was drawn.
 std::vector<Choice> listed_choices(const std::vector<std::size_t>& sizes,
                                    const std::optional<Choice>& drawn) {
@@ -68,7 +69,8 @@ bool is_plain(const ClosureResult& part) {
          !part.least_misfit;
 }
 
-/// For each variable of the whole the sub-chain that has it, and its place there; empty where one is in none.
+/// For each variable of the whole the sub-chain that has it, and its place there; empty where one
+/// is in none.
 std::vector<std::pair<std::size_t, std::size_t>> places_of_variables(
     const System& whole, const std::vector<ClosureResult>& parts) {
   std::map<std::string, std::pair<std::size_t, std::size_t>> known;

@@ -24,19 +24,22 @@ namespace {
 /// A root that is off by rounded lengths is no farther than this from a real pose.
 double near_real(const ClosureSearch& search) {
   constexpr double kRounded = 1e-2;
-  // Where all constraints miss by so much at least squares, those that are met leave several times that to the others.
+  // Where all constraints miss by so much at least squares, those that are met leave several times
+  // that to the others.
   constexpr double kOfFit = 20;
-  // At a fold two closures part by the square root of what lengths are off, into real or complex ones, and above a fold by the root of that.
+  // At a fold two closures part by the square root of what lengths are off, into real or complex
+  // ones, and above a fold by the root of that.
   constexpr double kOfFold = 3;
   const double fit = search.mechanism.fit.value_or(0) / search.phi.length();
   return std::max({kRounded, kOfFit * fit, kOfFold * std::sqrt(std::sqrt(fit))});
 }
 
-// What a root's own rounding leaves behind Newton's method, with lengths of the file typed to twelve digits.
+// What a root's own rounding leaves behind Newton's method, with lengths of the file typed to
+// twelve digits.
 constexpr double kRounding = 1e-12;
 
-/// How far two roots are apart, directions beside 1 and lengths beside the mechanism's: at the origin
-/// a length has no size of its own.
+/// How far two roots are apart, directions beside 1 and lengths beside the mechanism's: at the
+/// origin a length has no size of its own.
 double apart(const Formulation& formulation, const Point& a, const Point& b) {
   double direction = 1;
   double length = formulation.length;
@@ -57,8 +60,9 @@ double tolerance_of(const Solution& solution) {
   return solution.singular ? kHoldsSingular : kHolds;
 }
 
-/// residual_of_root behind a few steps of Gauss-Newton, in complex numbers, on every equation: a residual above rounding and still small is
-/// either the root's own error, which these take away, or a pose that closes to nine digits only, where least squares stops.
+/// residual_of_root behind a few steps of Gauss-Newton, in complex numbers, on every equation: a
+/// residual above rounding and still small is either the root's own error, which these take away,
+/// or a pose that closes to nine digits only, where least squares stops.
 double residual_when_polished(const Formulation& formulation, Point root) {
   // A root's error is squared each time; beside a near miss they stand still.
   constexpr int kSteps = 4;
@@ -118,8 +122,8 @@ void take_account(ClosureResult& result, const StageRun& run) {
   result.reduced.total_degree = total_degree(result.reduced.degrees);
 }
 
-/// Whether rounding may have made one closure, or none, of several: by Kantorovich's theorem a root is alone, whatever is
-/// rounded, where the square of its condition times rounding is small.
+/// Whether rounding may have made one closure, or none, of several: by Kantorovich's theorem a root
+/// is alone, whatever is rounded, where the square of its condition times rounding is small.
 bool may_be_several(const Solution& root) {
   constexpr double kStandsAlone = 1e7;
   return !root.singular && root.condition >= kStandsAlone;
@@ -157,8 +161,8 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
   }
   const bool is_near_real =
       distance_from_real(search.formulation, solution.x) <= tolerance_of(solution);
-  // Where there are spare equations the proof is one of those that were solved: of numbers that contradict each other by rounding
-  // it may say that a closure is not real.
+  // Where there are spare equations the proof is one of those that were solved: of numbers that
+  // contradict each other by rounding it may say that a closure is not real.
   const System& system = search.formulation.system;
   const bool has_spare = system.polynomials.size() > system.variables.size();
   solution.real = proved && !has_spare ? proved->real.value_or(is_near_real) : is_near_real;
@@ -170,11 +174,13 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
   search.result.solutions.push_back(std::move(solution));
 }
 
-/// What is proved of two roots near each other is proved of the polynomials that were solved. Where their coefficients are right to rounding
-/// only, and rounding moves a root as far as to the other, it is none of the mechanism as typed: both may be real, complex or one.
+/// What is proved of two roots near each other is proved of the polynomials that were solved. Where
+/// their coefficients are right to rounding only, and rounding moves a root as far as to the other,
+/// it is none of the mechanism as typed: both may be real, complex or one.
 void drop_proofs_within_rounding(const Formulation& formulation, RootProver& prover,
                                  std::vector<PartialRoot>& roots) {
-  // Rounding moves roots that lie farther apart by less, however ill they are conditioned: by its square root at most.
+  // Rounding moves roots that lie farther apart by less, however ill they are conditioned: by its
+  // square root at most.
   constexpr double kFarApart = 1e-4;
   if (!prover.is_on() || !formulation.has_rounded_frames) return;
   const auto apart = [](const PartialRoot& a, const PartialRoot& b) {
@@ -204,8 +210,9 @@ void drop_proofs_within_rounding(const Formulation& formulation, RootProver& pro
   }
 }
 
-/// Simple roots of the rounded polynomials that are no farther apart than rounding moves a double root, none of them proved of the
-/// mechanism as typed, are a cluster: two closures, or none, or one as often.
+/// Simple roots of the rounded polynomials that are no farther apart than rounding moves a double
+/// root, none of them proved of the mechanism as typed, are a cluster: two closures, or none, or
+/// one as often.
 void merge_unproved(ClosureSearch& search) {
   // What rounding to double leaves of the distance of two roots: its square root.
   constexpr double kApart = 1e-7;
@@ -265,8 +272,8 @@ StageRun solve_blocks(const ClosureSearch& search, const Formulation& formulatio
                       prover);
 }
 
-/// With fewer equations than unknowns no closure is isolated. What no free unknown has a say in is solved first: where it
-/// closes in complex numbers only, so does the whole.
+/// With fewer equations than unknowns no closure is isolated. What no free unknown has a say in is
+/// solved first: where it closes in complex numbers only, so does the whole.
 void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
   std::vector<Block> determined;
   std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(determined),
@@ -290,8 +297,9 @@ Point values_of(const PartialRoot& root) {
   return x;
 }
 
-/// Two roots beside each other have a condition as large as they are near: at a dead point whose two
-/// roots rounding has parted by next to nothing it says no more than that. They are a cluster of two.
+/// Two roots beside each other have a condition as large as they are near: at a dead point whose
+/// two roots rounding has parted by next to nothing it says no more than that. They are a cluster
+/// of two.
 void merge_pairs(const Formulation& formulation, std::vector<PartialRoot>& roots) {
   // Of the condition times the distance; on a set rounding leaves roots anywhere.
   constexpr double kExplained = 1e6;
@@ -317,8 +325,9 @@ void merge_pairs(const Formulation& formulation, std::vector<PartialRoot>& roots
   }
 }
 
-/// Roots that rounding moves as far as it likes are points of a set: rounding of the coefficients, or of the roots of the blocks before, where
-/// no proof knows these exactly; a multiple root has its own judges.
+/// Roots that rounding moves as far as it likes are points of a set: rounding of the coefficients,
+/// or of the roots of the blocks before, where no proof knows these exactly; a multiple root has
+/// its own judges.
 void take_off_sets(const Formulation& formulation, StageRun& run) {
   merge_pairs(formulation, run.roots);
   std::erase_if(run.roots, [&](const PartialRoot& root) {
@@ -331,7 +340,8 @@ void take_off_sets(const Formulation& formulation, StageRun& run) {
   });
 }
 
-/// The equations that were solved have a set of roots that the spare ones may cut to isolated ones, also where part of it moves.
+/// The equations that were solved have a set of roots that the spare ones may cut to isolated ones,
+/// also where part of it moves.
 StageRun solve_combined(const ClosureSearch& search, const StageRun& first) {
   Formulation combined = search.formulation;
   combined.system = square_up(search.formulation.system, search.options.solve.seed);
@@ -401,7 +411,8 @@ std::uint64_t lost_images(const Formulation& formulation, const std::vector<Solu
   return static_cast<std::uint64_t>(std::count_if(roots.begin(), roots.end(), is_lost));
 }
 
-/// Whether equations without unknowns alone contradict each other: the roots of all others may miss by little.
+/// Whether equations without unknowns alone contradict each other: the roots of all others may miss
+/// by little.
 bool may_miss_by_little(const Formulation& formulation) {
   const auto& equations = formulation.system.polynomials;
   const auto constant = std::count_if(equations.begin(), equations.end(),

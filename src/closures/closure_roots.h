@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What are all isolated roots of the closure polynomials, and do closures form sets? Blocks solved, roots checked on all equations.
+// What are all isolated roots of the closure polynomials, and do closures form sets? Blocks solved,
+// roots checked on all equations.
 //
 //   as many equations as unknowns    block after block (stages.h)
-//   more                             likewise, every root checked on all; where the solved ones have a set of roots that the
-//                                    spare ones may cut, random combinations of all are solved instead (square_up.h)
-//   fewer                            no closure is isolated: a pose that moves is looked for (moving_pose.h), unless a part
-//                                    that is determined closes in complex numbers only
+//   more                             likewise, every root checked on all; where the solved ones
+//                                    have a set of roots that the spare ones may cut, random
+//                                    combinations of all are solved instead (square_up.h)
+//   fewer                            no closure is isolated: a pose that moves is looked for
+//                                    (moving_pose.h), unless a part that is determined closes in
+//                                    complex numbers only
 // Edges: equations that contradict each other have no roots, and are not solved.
 #pragma once
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is known of a mechanism's closures while they are being found?
 //
-// The order: roots of the closure polynomials (closure_roots.h), poses of the real ones (closure_poses.h), then the verdict
-// (closures.cpp), which is drawn from what stands here.
+// The order: roots of the closure polynomials (closure_roots.h), poses of the real ones
+// (closure_poses.h), then the verdict (closures.cpp), which is drawn from what stands here.
 #pragma once
 
 #include <map>
@@ -46,8 +46,8 @@ struct ClosureSearch {
   const Phi phi;
   const Formulation formulation;
   ClosureResult result;
-  /// All equations are combined at random to as many as there are unknowns. Else the first ones that could determine these are solved, which
-  /// may depend on each other within rounding.
+  /// All equations are combined at random to as many as there are unknowns. Else the first ones
+  /// that could determine these are solved, which may depend on each other within rounding.
   bool is_combined = false;
   std::uint64_t lost_images = 0;  ///< roots whose mirror image is not among the roots
   std::uint64_t unproved =

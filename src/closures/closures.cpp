@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the mechanism to its closures: roots of its closure polynomials, poses of the real ones, and the verdict.
+// From the mechanism to its closures: roots of its closure polynomials, poses of the real ones, and
+// the verdict.
 #include "moivre/closures/closures.h"
 
 #include <algorithm>
@@ -54,7 +55,8 @@ void add_mobility(const Phi& phi, double fit, bool is_wanted, ClosureResult& res
   }
 }
 
-/// Whether roots were lost by solving equations that depend on each other, and all of them combined may have these.
+/// Whether roots were lost by solving equations that depend on each other, and all of them combined
+/// may have these.
 bool may_find_more(const ClosureSearch& search) {
   const System& f = search.formulation.system;
   return search.rootless > 0 && !search.stop && f.polynomials.size() > f.variables.size();
@@ -67,7 +69,8 @@ void find_all(ClosureSearch& search) {
   tell_limits(search);
 }
 
-/// Everything anew, with all equations combined. What was done before stays in the account, and what missed by little is looked at again.
+/// Everything anew, with all equations combined. What was done before stays in the account, and
+/// what missed by little is looked at again.
 void find_all_combined(ClosureSearch& search) {
   const ClosureResult first = std::move(search.result);
   for (const Closure& closure : first.closures) {
@@ -114,7 +117,8 @@ std::string length_text(double x, const Mechanism& mechanism) {
 
 /// By how much the nearest pose misses, and what would take it; empty where none is near.
 std::string misfit_text(const ClosureSearch& search) {
-  // Of the mechanism's length: lengths typed with three digits miss by less, and what misses by more is another mechanism.
+  // Of the mechanism's length: lengths typed with three digits miss by less, and what misses by
+  // more is another mechanism.
   constexpr double kRounded = 1e-2;
   const std::optional<double>& misfit = search.result.least_misfit;
   if (!misfit || search.result.counts.fitted > 0) return "";

@@ -141,7 +141,8 @@ PinnedLinks::PinnedLinks(const Mechanism& mechanism) : mechanism_(mechanism) {
   }
 }
 
-/// Of each link, how many joints lie between it and a driven body, not counting ways over the ground.
+/// Of each link, how many joints lie between it and a driven body, not counting ways over the
+/// ground.
 std::vector<std::size_t> PinnedLinks::steps_from_drivers() const {
   std::vector<std::vector<std::size_t>> beside(links_.size());
   const auto connect = [&](std::size_t a, std::size_t b) {

@@ -69,7 +69,8 @@ class Holding {
     return true;
   }
 
-  /// Wheels on pivots of their own that mesh like a tree, with no other wheel, no carrier among them and no driver.
+  /// Wheels on pivots of their own that mesh like a tree, with no other wheel, no carrier among
+  /// them and no driver.
   bool is_idle(std::size_t group) const {
     const std::set<std::size_t> wheels = meshing_with(group);
     if (wheels.count(group_[0]) > 0 || is_driven(wheels)) return false;
@@ -123,7 +124,8 @@ class Holding {
     return found;
   }
 
-  /// Makes the joint a weld of its two points, or of where the second one slides to or stands at the rod's end.
+  /// Makes the joint a weld of its two points, or of where the second one slides to or stands at
+  /// the rod's end.
   void hold(std::size_t number, std::size_t group) {
     Joint& joint = held_.mechanism.joints[number];
     const std::size_t end = group_of(joint.at[0]) == group ? 0 : 1;
@@ -160,7 +162,8 @@ class Holding {
     std::replace(group_.begin(), group_.end(), from, to);
   }
 
-  /// A wheel on a pin of the gear's carrier whose partner cannot turn against that: it cannot either. False where there is none.
+  /// A wheel on a pin of the gear's carrier whose partner cannot turn against that: it cannot
+  /// either. False where there is none.
   bool merge_meshing() {
     const auto& joints = held_.mechanism.joints;
     for (const Joint& gear : joints) {
@@ -180,8 +183,8 @@ class Holding {
     return false;
   }
 
-  /// Axes and angle of the weld that a spatial joint becomes: as drawn where it lets the bodies turn as they like, else as near to that
-  /// as it allows.
+  /// Axes and angle of the weld that a spatial joint becomes: as drawn where it lets the bodies
+  /// turn as they like, else as near to that as it allows.
   static void aim(Joint& joint) {
     const JointTurn turn = traits(joint.type).turn;
     auto& [a, b] = joint.axis;

@@ -13,7 +13,8 @@ namespace {
 // A coefficient that cancelled to this, beside the terms it was added from, is zero.
 constexpr double kCancelled = 1e-13;
 
-// An exact value is rounded once its fractions are this long (in bits): a chain of lengths and directions stays below.
+// An exact value is rounded once its fractions are this long (in bits): a chain of lengths and
+// directions stays below.
 constexpr std::size_t kLongFraction = 2048;
 
 Coefficient shortened(const Coefficient& c) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What does one equation tell of its last unknown, above each of many partial roots? a x + b = 0, a and b of known values: x, solved exactly.
+// What does one equation tell of its last unknown, above each of many partial roots? a x + b = 0, a
+// and b of known values: x, solved exactly.
 //
-// Edges: a or b that cancelled is zero. Where a vanishes there is no x, and where b does too any x is one.
+// Edges: a or b that cancelled is zero. Where a vanishes there is no x, and where b does too any x
+// is one.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The guess, the pose as drawn, then random poses around the guess; the first that moves is the witness.
+// The guess, the pose as drawn, then random poses around the guess; the first that moves is the
+// witness.
 #include "moving_pose.h"
 
 #include <algorithm>

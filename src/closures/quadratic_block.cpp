@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Quadrics restricted to what linear equations leave, until a formula has their roots; Newton's method on the equations as they are.
+// Quadrics restricted to what linear equations leave, until a formula has their roots; Newton's
+// method on the equations as they are.
 #include "quadratic_block.h"
 
 #include <algorithm>
@@ -69,7 +70,8 @@ Highest settle(Quadric& q) {
   return highest;
 }
 
-/// A P, where P [x; 1] puts share [x; 1] in as number `pivot`: that column's shares are added to the others.
+/// A P, where P [x; 1] puts share [x; 1] in as number `pivot`: that column's shares are added to
+/// the others.
 template <class Matrix, class Vector>
 Matrix with_column_shared(const Matrix& A, Index pivot, const Vector& share) {
   Matrix B(A.rows(), A.cols() - 1);
@@ -87,14 +89,16 @@ Matrix restricted(const Matrix& M, Index pivot, const Vector& share) {
   return with_column_shared(Matrix(half.transpose()), pivot, share);
 }
 
-/// Solves the linear equation for its largest unknown and puts that in everywhere. False where none is large enough.
+/// Solves the linear equation for its largest unknown and puts that in everywhere. False where none
+/// is large enough.
 bool substitute(const Quadric& linear, Reduced& all) {
   const Index k = linear.unknowns();
   Index pivot = 0;
   linear.M.col(k).head(k).cwiseAbs().maxCoeff(&pivot);
   const Complex a = linear.M(pivot, k);
   if (!(std::abs(a) > kClear * linear.S(pivot, k))) return false;
-  // y_pivot = share [y without the pivot; 1]; the constant stands in M once, the other entries of the row twice.
+  // y_pivot = share [y without the pivot; 1]; the constant stands in M once, the other entries of
+  // the row twice.
   VectorXcd share(k);
   for (Index i = 0; i < k; ++i) {
     const Index from = i < pivot ? i : i + 1;
@@ -109,7 +113,8 @@ bool substitute(const Quadric& linear, Reduced& all) {
   return true;
 }
 
-/// Takes the largest quadratic term of an equation out of the others. False where each has taken one.
+/// Takes the largest quadratic term of an equation out of the others. False where each has taken
+/// one.
 bool combine(std::vector<Quadric>& quadrics) {
   const auto pivot =
       std::find_if(quadrics.begin(), quadrics.end(), [](const Quadric& q) { return !q.has_pivot; });
@@ -142,7 +147,8 @@ std::optional<Reduced> reduced(std::vector<Quadric> quadrics, Index n) {
     if (linear) {
       const Quadric equation = std::move(all.quadrics[*linear]);
       all.quadrics.erase(all.quadrics.begin() + static_cast<std::ptrdiff_t>(*linear));
-      // The last unknown's square may cancel by chance alone: its other root is far away then, not absent.
+      // The last unknown's square may cancel by chance alone: its other root is far away then, not
+      // absent.
       const Index k = equation.unknowns();
       if (k == 0 || (k == 1 && equation.S(0, 0) > 0) || !substitute(equation, all)) {
         return std::nullopt;
@@ -267,7 +273,8 @@ std::optional<Solution> QuadraticBlock::refined(const std::vector<Equation>& equ
     const double size = std::max(1.0, max_norm(x));
     const double moved = max_norm(step) / size;
     if (!(moved <= kNear)) return std::nullopt;
-    // Two corrections at least, so that what is small beside the others is known to its own last digit.
+    // Two corrections at least, so that what is small beside the others is known to its own last
+    // digit.
     if (k >= 2 && moved <= 2 * kUnitRoundoff) {
       Solution solution;
       solution.condition = lu.condition();

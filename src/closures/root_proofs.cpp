@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Krawczyk's test for one group of blocks after another, the values of the groups before in their balls.
+// Krawczyk's test for one group of blocks after another, the values of the groups before in their
+// balls.
 #include "moivre/closures/root_proofs.h"
 
 #include <algorithm>
@@ -26,17 +27,20 @@ struct RootProof {
 
 namespace {
 
-// A root is no farther than this from the point that its path leads to, above roots before that are rounded. Which root it is does not
-// hang on it: two paths that are led to one are told.
+// A root is no farther than this from the point that its path leads to, above roots before that are
+// rounded. Which root it is does not hang on it: two paths that are led to one are told.
 constexpr double kFarthest = 1e-4;
-// Errors of the groups before are rounding in double; where they grow to this the groups are proved again with more digits.
+// Errors of the groups before are rounding in double; where they grow to this the groups are proved
+// again with more digits.
 constexpr double kBlurred = 1e-12;
-// Lengths that are off by 1e-9 may leave an expression of the fourth degree at 1e-36 beside its terms, and a root that is known 1e20 times
-// less sharply than the arithmetic.
+// Lengths that are off by 1e-9 may leave an expression of the fourth degree at 1e-36 beside its
+// terms, and a root that is known 1e20 times less sharply than the arithmetic.
 constexpr int kFineBits = 256;
-// Coefficients are right to this part of themselves: frames are right to 50 bits, and a product of a dozen of them to 45.
+// Coefficients are right to this part of themselves: frames are right to 50 bits, and a product of
+// a dozen of them to 45.
 constexpr double kRightTo = 1e-13;
-// They are shaken by so much less that every root stays what it is, however badly it is known: to first order a value moves in proportion.
+// They are shaken by so much less that every root stays what it is, however badly it is known: to
+// first order a value moves in proportion.
 constexpr double kShake = 1e-30;
 // Numbers that are rounded to this have no relation by chance that those they stand for have not.
 constexpr double kOfGeneralNumbers = 0x1p-100;
@@ -109,7 +113,8 @@ struct RootProver::Work {
     Certifier certifier;
   };
 
-  /// What a certificate follows from: the certificates of the numbers that are given, and where the root is looked for.
+  /// What a certificate follows from: the certificates of the numbers that are given, and where the
+  /// root is looked for.
   using Grounds = std::pair<std::vector<KnownCertificate>, std::vector<std::pair<double, double>>>;
 
   struct Group {
@@ -293,7 +298,8 @@ KnownCertificate RootProver::Work::certificate(Group& group, const KnownProof& b
   return at->second;
 }
 
-/// The root nearest to one that is proved of another system with the same blocks, `values` its midpoints.
+/// The root nearest to one that is proved of another system with the same blocks, `values` its
+/// midpoints.
 KnownProof RootProver::Work::prove_beside(const KnownProof& proof, const Point& values) {
   const KnownProof before = proof->before ? prove_beside(proof->before, values) : nullptr;
   return prove(proof->group, before, values);

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What has to be computed but once for many partial roots? All that a block's equations tell above roots whose values in them are the same.
+// What has to be computed but once for many partial roots? All that a block's equations tell above
+// roots whose values in them are the same.
 //
-//   blocks A, B, C;  C's equations have unknowns of A and C alone:  C is solved once above a root of A, however many roots B has there
+//   blocks A, B, C;  C's equations have unknowns of A and C alone:  C is solved once above a root
+//                    of A, however many roots B has there
 //
-// Values are the same where they are one KnownValue: roots of a block share those of the blocks before it, and what is shared above them.
+// Values are the same where they are one KnownValue: roots of a block share those of the blocks
+// before it, and what is shared above them.
 // The postures of six legs stand above one another, and each knows the platform's pose alone.
 #pragma once
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Blocks in turn: known values substituted, lone linear equations solved exactly, the rest by homotopy continuation.
+// Blocks in turn: known values substituted, lone linear equations solved exactly, the rest by
+// homotopy continuation.
 #include "moivre/closures/stages.h"
 
 #include <algorithm>
@@ -22,13 +23,16 @@ namespace {
 // Few paths are followed by one thread: starting others takes longer.
 constexpr std::uint64_t kPathsForOneThread = 8;
 
-// So few paths are followed before a better start is found: closure polynomials have hardly more of them than roots.
+// So few paths are followed before a better start is found: closure polynomials have hardly more of
+// them than roots.
 constexpr std::uint64_t kPathsWithoutSearch = 32;
 
-// A simple root is known far better than this, a multiple one just so: what is larger beside its terms does not vanish.
+// A simple root is known far better than this, a multiple one just so: what is larger beside its
+// terms does not vanish.
 constexpr double kNearExclusion = 1e-6;
 
-// Where nothing is proved: a simple root is known to rounding, and what vanishes there does so to 1e-14.
+// Where nothing is proved: a simple root is known to rounding, and what vanishes there does so to
+// 1e-14.
 constexpr double kVanishes = 1e-13;
 
 /// In the block's variables, numbered in its order.
@@ -61,8 +65,8 @@ void drop_repeated_proofs(std::vector<PartialRoot>& children) {
   }
 }
 
-/// Whether as many roots are proved as the block's degrees allow, or, where nothing put into it was rounded in double, as its start
-/// has paths.
+/// Whether as many roots are proved as the block's degrees allow, or, where nothing put into it was
+/// rounded in double, as its start has paths.
 bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>& children,
                       std::uint64_t by_degrees, bool is_exact) {
   const bool all_proved =
@@ -175,7 +179,8 @@ class Stages {
     run_.may_move = run_.may_move || may_be_real(formulation_, root);
   }
 
-  /// The exclusions in which an unknown of the block stands: what the others say of a root is known from the blocks before.
+  /// The exclusions in which an unknown of the block stands: what the others say of a root is known
+  /// from the blocks before.
   std::vector<const Formulation::Exclusion*> exclusions_of(const Block& block) const {
     std::vector<const Formulation::Exclusion*> found;
     const auto is_of_block = [&](const Power& power) {
@@ -256,7 +261,8 @@ class Stages {
     return values;
   }
 
-  /// Where that is clear and no start was asked for, else without solutions: a quadratic equation counts as its two paths.
+  /// Where that is clear and no start was asked for, else without solutions: a quadratic equation
+  /// counts as its two paths.
   SolveResult by_formula(const QuadraticBlock& formula, const PartialRoot& root) {
     SolveResult result;
     auto roots = options_.start == StartKind::automatic ? formula.roots(root.value) : std::nullopt;
@@ -270,8 +276,8 @@ class Stages {
     return result;
   }
 
-  /// From a general member of the class. Its coefficients are real: a complex factor keeps the line to this member away from those
-  /// with fewer poses.
+  /// From a general member of the class. Its coefficients are real: a complex factor keeps the line
+  /// to this member away from those with fewer poses.
   std::optional<GivenStart> general_start(const Block& block, const PartialRoot& root) const {
     const bool is_chosen = options_.start == StartKind::automatic && !options_.known_start;
     if (!is_of_theorem(block) || !is_chosen) return std::nullopt;

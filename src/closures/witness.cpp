@@ -20,16 +20,19 @@ using Eigen::VectorXd;
 // A handful: what a wrong answer lacks is met by one of a few.
 constexpr std::uint64_t kRandomStarts = 4;
 constexpr std::uint64_t kNeighbours = 3;
-// A run takes as long as so many steps of a tracker; all of them are to cost no more than a tenth of the answer.
+// A run takes as long as so many steps of a tracker; all of them are to cost no more than a tenth
+// of the answer.
 constexpr std::uint64_t kStepsOfRun = 20;
 constexpr std::uint64_t kShareOfRuns = 10;
 // What comes to a closure at all does so in fewer iterations; the others wander.
 constexpr int kMostIterations = 15;
-// Of the size of the pose, and of half a turn: out of the closure's own neighbourhood, not yet anywhere.
+// Of the size of the pose, and of half a turn: out of the closure's own neighbourhood, not yet
+// anywhere.
 constexpr double kBeside = 0.2;
 
-/// Poses from which to look, the likeliest first: of an answer by formula one, of one that took many steps more. Where a proof says that there
-/// is no other closure, what was drawn is looked at alone: the proof is about polynomials.
+/// Poses from which to look, the likeliest first: of an answer by formula one, of one that took
+/// many steps more. Where a proof says that there is no other closure, what was drawn is looked at
+/// alone: the proof is about polynomials.
 std::vector<VectorXd> starts_of(const ClosureSearch& search) {
   const Phi& phi = search.phi;
   const double t = search.options.time;

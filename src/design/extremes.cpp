@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Of the samples that stand above their neighbours the one whose parabola is highest, refined by Brent's method.
+// Of the samples that stand above their neighbours the one whose parabola is highest, refined by
+// Brent's method.
 #include "extremes.h"
 
 #include <algorithm>
@@ -17,7 +18,8 @@ constexpr double kConstant = 1e-12;
 // Of the range: extremes that differ by less are one value, taken several times.
 constexpr double kEqual = 1e-8;
 
-/// The highest value of the parabola through three points, the middle one above the others; v[1] where that is no parabola.
+/// The highest value of the parabola through three points, the middle one above the others; v[1]
+/// where that is no parabola.
 double crest(const double* t, const double* v) {
   const double left = (v[1] - v[0]) / (t[1] - t[0]);
   const double right = (v[2] - v[1]) / (t[2] - t[1]);
@@ -26,7 +28,8 @@ double crest(const double* t, const double* v) {
   return bend < 0 ? v[1] - slope * slope / (4 * bend) : v[1];
 }
 
-/// Between the neighbours of sample k, or between it and its only one; nullopt where the curve is not known there.
+/// Between the neighbours of sample k, or between it and its only one; nullopt where the curve is
+/// not known there.
 std::optional<Extreme> refined(const Series& curve, std::size_t k, int sign) {
   // Times to a hundred-thousandth of the bracket: values to the square of that.
   constexpr int kBits = 17;
@@ -49,8 +52,9 @@ std::optional<Extreme> refined(const Series& curve, std::size_t k, int sign) {
   return Extreme{-sign * value, time_at(s), true};
 }
 
-/// Points worth a closer look, by time: those whose parabola is nearly the highest, and the first two and the last two where they
-/// stand above the next: beside a dead point a curve is no parabola.
+/// Points worth a closer look, by time: those whose parabola is nearly the highest, and the first
+/// two and the last two where they stand above the next: beside a dead point a curve is no
+/// parabola.
 std::vector<std::size_t> candidates(const Series& curve, double highest, double range, int sign) {
   // A parabola's crest misses by less.
   constexpr double kNearly = 1e-3;

@@ -63,7 +63,8 @@ void add_points(const Mechanism& mechanism, bool jointed_too, std::vector<Observ
   }
 }
 
-/// Bodies that an angle driver turns on the ground, joints that a slide or (spatial) an angle driver moves, unknowns that are driven.
+/// Bodies that an angle driver turns on the ground, joints that a slide or (spatial) an angle
+/// driver moves, unknowns that are driven.
 std::set<std::string> driven_names(const Mechanism& mechanism) {
   std::set<std::string> names;
   for (const Driver& driver : mechanism.drivers) {

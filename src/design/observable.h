@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What moves that has a name? Numbers read off a pose in motion: coordinates, places of points, angles and slides of joints.
+// What moves that has a name? Numbers read off a pose in motion: coordinates, places of points,
+// angles and slides of joints.
 #pragma once
 
 #include <functional>
@@ -27,7 +28,8 @@ std::vector<Observable> joint_observables(const Mechanism& mechanism);
 std::vector<Observable> driven_observables(const Mechanism& mechanism);
 /// By name. Throws std::invalid_argument, with the names that are known.
 Observable output_observable(const Mechanism& mechanism, const std::string& name);
-/// Names of what a joint ties to the ground and no driver moves; of the unknowns that no driver moves.
+/// Names of what a joint ties to the ground and no driver moves; of the unknowns that no driver
+/// moves.
 std::vector<std::string> default_outputs(const Mechanism& mechanism);
 
 }  // namespace moivre

@@ -17,7 +17,8 @@ bool has_velocity(const BranchSample& sample) {
   return sample.is_determined && sample.velocity.size() > 0;
 }
 
-/// Hermite's quintic; linear where a sample has no velocity, and beside a dead point, where the branch turns back, as a square root.
+/// Hermite's quintic; linear where a sample has no velocity, and beside a dead point, where the
+/// branch turns back, as a square root.
 VectorXd interpolated(const BranchSample& before, const BranchSample& after, double time) {
   const double h = after.time - before.time;
   const double s = (time - before.time) / h;

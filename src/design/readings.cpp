@@ -74,8 +74,8 @@ class BranchCurves {
     return index ? &motion_.events[*index].at : nullptr;
   }
 
-  /// The pose of an event. It has a velocity at a joint limit; at a bifurcation, which the branch passes smoothly, that of the parabola
-  /// through the sample beside it.
+  /// The pose of an event. It has a velocity at a joint limit; at a bifurcation, which the branch
+  /// passes smoothly, that of the parabola through the sample beside it.
   BranchSample pose_of(const BranchEvent& event, const BranchSample* beside) const {
     if (event.kind == EventKind::joint_limit) return reader_.sample_at(event.time, event.q);
     BranchSample pose;
@@ -120,7 +120,8 @@ class BranchCurves {
 
   /// Where a quantity has no value at a singular pose itself, what it comes to.
   void take_limit(std::size_t k, bool is_end, Series& curve) const {
-    // Of the way to the next sample. A branch comes to a dead point as a square root does, and to a bifurcation straight.
+    // Of the way to the next sample. A branch comes to a dead point as a square root does, and to a
+    // bifurcation straight.
     const bool is_dead_point = event_at(is_end)->kind == EventKind::dead_point;
     const double share = is_dead_point ? 1e-11 : 1e-5;
     const std::size_t at = is_end ? poses_.size() - 1 : 0;

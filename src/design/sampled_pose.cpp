@@ -45,7 +45,8 @@ double SampledPose::mixed(const Observable& what, Index a, Index b) const {
 }
 
 bool SampledPose::runs_away(const Observable& what) const {
-  // A dead point is known to about 1e-8 of the mechanism's length; what its free direction moves by less stands.
+  // A dead point is known to about 1e-8 of the mechanism's length; what its free direction moves by
+  // less stands.
   constexpr double kStands = 1e-5;
   const double length = phi_.length();
   const VectorXd size = own_sizes(phi_);

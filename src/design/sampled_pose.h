@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do several quantities of one pose share? The mechanism, Phi_q and the coefficients, each found once and only where wanted.
+// What do several quantities of one pose share? The mechanism, Phi_q and the coefficients, each
+// found once and only where wanted.
 #pragma once
 
 #include <limits>

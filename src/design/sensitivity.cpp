@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rates of everything that a closure tells, by every dimension, and the spreads that tolerances make of them.
+// Rates of everything that a closure tells, by every dimension, and the spreads that tolerances
+// make of them.
 #include "moivre/design/sensitivity.h"
 
 #include <algorithm>
@@ -137,9 +138,11 @@ RowVectorXd Rates::by_dimensions(std::size_t number) const {
   return row;
 }
 
-/// Whether the quantity moves though no dimension does, as what spins freely. `unit`: the mechanism's length, or a radian.
+/// Whether the quantity moves though no dimension does, as what spins freely. `unit`: the
+/// mechanism's length, or a radian.
 bool is_free(const RowVectorXd& by_pose, const MatrixXd& free, double unit) {
-  // Of what the freedom can do to something of the mechanism's size: poses are known to about 1e-13.
+  // Of what the freedom can do to something of the mechanism's size: poses are known to about
+  // 1e-13.
   constexpr double kStandsStill = 1e-7;
   for (Index k = 0; k < free.cols(); ++k) {
     const double moved = std::abs(by_pose.dot(free.col(k)));
@@ -174,7 +177,8 @@ std::optional<std::size_t> furthest(const Sensitivities& told, const ClosureSens
   return found;
 }
 
-/// How far the quantity goes with every dimension off to one side; nullopt where Newton-Raphson finds no closure.
+/// How far the quantity goes with every dimension off to one side; nullopt where Newton-Raphson
+/// finds no closure.
 std::optional<double> solved_at_corner(const Mechanism& mechanism, const Sensitivities& told,
                                        const ClosureSensitivity& closure, std::size_t quantity,
                                        double side, const VectorXd& q, double time) {
@@ -203,11 +207,13 @@ std::string missing_rates(const Closure& closure, bool is_singular) {
   return "it is a dead point, where sensitivities have no bound";
 }
 
-/// Whether the mechanism does not close once the dimension has changed by a small step, though to first order it would: a crank of
-/// three parallel ones grows by the square of what its pin is moved aside.
+/// Whether the mechanism does not close once the dimension has changed by a small step, though to
+/// first order it would: a crank of three parallel ones grows by the square of what its pin is
+/// moved aside.
 bool breaks_beyond_first_order(const Mechanism& mechanism, const Dimension& dimension,
                                const VectorXd& rate, const VectorXd& q, double time) {
-  // Of a radian or the mechanism's length; its square is far above rounding. Where the pose moves fast the step is smaller.
+  // Of a radian or the mechanism's length; its square is far above rounding. Where the pose moves
+  // fast the step is smaller.
   constexpr double kStep = 1e-3;
   const double length = Phi(mechanism).length();
   const double unit = dimension.is_angle ? 1 : length;

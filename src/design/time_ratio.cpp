@@ -67,13 +67,15 @@ class Cycle {
     return value_of(output, reader_.between(*(behind - 1), *behind, time).q);
   }
 
-  /// The pose a turn behind the first one, from the samples beside it; it need not be the first one again.
+  /// The pose a turn behind the first one, from the samples beside it; it need not be the first one
+  /// again.
   BranchSample pose_a_turn_later(const BranchSample& before, const BranchSample& after) const {
     const double time = from_ + period_;
     return after.time <= time + kBack * period_ ? after : reader_.between(before, after, time);
   }
 
-  /// The samples of the turn, the last one before them and the first one behind, so that no extreme is at an end.
+  /// The samples of the turn, the last one before them and the first one behind, so that no extreme
+  /// is at an end.
   Series cycle_of(const Observable& output) const {
     Series curve;
     const double tiny = kBack * period_;

@@ -13,8 +13,8 @@ namespace {
 // Sums beyond the m-th follow from the first m: they tell samples that are made of errors.
 constexpr int kMoreSums = 2;
 
-/// Means of z^k and of |z|^k, k = 0, 1, ..., of samples in units of the largest: none of their powers overflows, and not all
-/// of them vanish.
+/// Means of z^k and of |z|^k, k = 0, 1, ..., of samples in units of the largest: none of their
+/// powers overflows, and not all of them vanish.
 class PowerMeans {
  public:
   PowerMeans(const std::vector<Complex>& z, int highest) {
@@ -84,7 +84,8 @@ Complex laurent_of_pole(const std::vector<Complex>& p, std::size_t j,
   return sum;
 }
 
-/// What all numbers may change in the sum of z^k, in units: |sum_i k z_i^{k-1} dz_i| of each. powers: z^{k-1}.
+/// What all numbers may change in the sum of z^k, in units: |sum_i k z_i^{k-1} dz_i| of each.
+/// powers: z^{k-1}.
 double change_of_sum(const std::vector<Complex>& powers,
                      const std::vector<std::vector<Complex>>& changes, int k) {
   double all = 0;
@@ -130,7 +131,8 @@ SumsAndErrors sums_and_errors(const std::vector<Complex>& z, int m, double known
       p[i % samples] += powers[i];
       size += modulus(powers[i]);
     }
-    // Coefficients that differ by `samples` in their order are one: of order -1 and -2 are also those that the sum is wrong by, or nearly.
+    // Coefficients that differ by `samples` in their order are one: of order -1 and -2 are also
+    // those that the sum is wrong by, or nearly.
     const double seen = modulus(laurent_of_pole(p, 1, turn)) + modulus(laurent_of_pole(p, 2, turn));
     const double rounding = k * std::max(known, std::numeric_limits<double>::epsilon()) * size;
     const double error = std::max(seen, rounding);
@@ -161,7 +163,8 @@ bool meet_together(const std::vector<Complex>& z, const Complex& common, int m,
 }
 
 std::vector<double> valuations(const std::vector<Point>& samples, std::size_t homogenizing, int m) {
-  // Of the polygon of samples: its edges that cross the positive half of the real axis, by direction.
+  // Of the polygon of samples: its edges that cross the positive half of the real axis, by
+  // direction.
   const auto turns_of = [&](std::size_t j) {
     int turns = 0;
     Complex before = samples.back()[j];

@@ -203,7 +203,8 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
     if (is_known_finite()) return take_finite();
     if (endgame_start_.empty()) return fail(Failure::precision);
   }
-  // Without a watched point there is nowhere to turn back to: the root it arrived at proves itself later.
+  // Without a watched point there is nowhere to turn back to: the root it arrived at proves itself
+  // later.
   const double condition = endgame_start_.empty() ? std::numeric_limits<double>::infinity()
                                                   : options_.ends.regular_condition;
   if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
@@ -232,7 +233,8 @@ Departure Endgame::turn_to_circles(PathSystem& path) {
   return approach(common_radius(radius_));
 }
 
-// A tracker that has t = 1 in view passes points of the way as near to the path as it needs for that.
+// A tracker that has t = 1 in view passes points of the way as near to the path as it needs for
+// that.
 void Endgame::polish_endgame_start(PathSystem& path) {
   Point x = endgame_start_;
   const PathTime time{1.0 - radius_, radius_};
@@ -243,7 +245,8 @@ bool Endgame::may_look_again() const {
   return end_.failure == Failure::precision && frame_ && !looks_again_ && !watched_at_.empty();
 }
 
-// A path may have gone far since it set out: in the units of the point from where its end was looked at in vain it may be seen.
+// A path may have gone far since it set out: in the units of the point from where its end was
+// looked at in vain it may be seen.
 std::optional<Departure> Endgame::look_again(PathSystem& path) {
   looks_again_ = true;
   end_.failure.reset();
@@ -257,7 +260,8 @@ std::optional<Departure> Endgame::look_again(PathSystem& path) {
   return begin_circle();
 }
 
-// Affine patch a x = 1 through the circle's beginning: samples of one homogeneous path become points of one chart.
+// Affine patch a x = 1 through the circle's beginning: samples of one homogeneous path become
+// points of one chart.
 Point Endgame::normalized(Point x) const {
   Complex scale = 0;
   for (std::size_t i = 0; i < x.size(); ++i) scale += product(patch_[i], x[i]);
@@ -348,7 +352,8 @@ std::optional<Departure> Endgame::end_with(const Endgame& sheet) {
   return std::nullopt;
 }
 
-// Coefficient c_j of the Laurent series in u = (1 - t)^{1/m} / r^{1/m}, from the samples on |u| = 1.
+// Coefficient c_j of the Laurent series in u = (1 - t)^{1/m} / r^{1/m}, from the samples on |u| =
+// 1.
 Point Endgame::laurent_coefficient(int j) const {
   const auto count = static_cast<double>(samples_.size());
   Point c(patch_.size());
@@ -379,7 +384,8 @@ FaceRoot Endgame::place_at_infinity(PathSystem& path) const {
                    valuations(samples_, chart_.homogenizing(), turns_), options_.ends);
 }
 
-// Gives the samples all their digits: residuals in double-double. False where Newton's method does not converge.
+// Gives the samples all their digits: residuals in double-double. False where Newton's method does
+// not converge.
 bool Endgame::polish_samples(PathSystem& path) {
   const Contour turn = circle();
   CorrectorOptions newton;
@@ -407,9 +413,9 @@ bool Endgame::errors_explain(PathSystem& path) const {
   return sums.sum <= options_.ends.shrink && sums.error <= options_.ends.sample_error;
 }
 
-// A large finite root with the same face is told by the errors of the samples. Where these leave a doubt, or are large, the samples
-// get all their digits first, so that no error of theirs passes for one of the file. What the digits of the coefficients explain is at
-// infinity as rounded.
+// A large finite root with the same face is told by the errors of the samples. Where these leave a
+// doubt, or are large, the samples get all their digits first, so that no error of theirs passes
+// for one of the file. What the digits of the coefficients explain is at infinity as rounded.
 FaceRoot Endgame::confirmed(FaceRoot place, PathSystem& path) {
   const auto measured = [&] { return sums_and_errors(samples_of_x0(), turns_, 0, options_.ends); };
   if (place == FaceRoot::exact) {
@@ -436,7 +442,8 @@ bool Endgame::sheets_meet(const Point& x) const {
                        options_.ends);
 }
 
-// Simple roots that lie beside each other meet as far as the samples tell, on a circle that is wide beside their distance.
+// Simple roots that lie beside each other meet as far as the samples tell, on a circle that is wide
+// beside their distance.
 bool Endgame::sheets_meet_in_all_digits(PathSystem& path) {
   if (!polish_samples(path)) return true;
   const Complex common = combinations({laurent_coefficient(0)}, path_).front();
@@ -507,8 +514,8 @@ std::optional<Departure> Endgame::shrink(PathSystem& path) {
   return approach(smaller);
 }
 
-// With an estimate at hand a landing has to prove it wrong; without one, any landing is welcome, and the
-// root it leads to is proved on the system as given.
+// With an estimate at hand a landing has to prove it wrong; without one, any landing is welcome,
+// and the root it leads to is proved on the system as given.
 double Endgame::landing_condition() const {
   return best_ ? options_.ends.singular_condition : std::numeric_limits<double>::infinity();
 }
@@ -526,8 +533,8 @@ std::optional<Departure> Endgame::conclude(PathSystem& path) {
   const double condition =
       path.linearize(best_->x, kEnd) ? path.condition() : std::numeric_limits<double>::infinity();
   const bool is_singular = condition >= options_.ends.singular_condition;
-  // Where several sheets meet J is singular. A circle that closes after several turns about a mean that is less singular may
-  // have run round branch points beside t = 1: landing tells.
+  // Where several sheets meet J is singular. A circle that closes after several turns about a mean
+  // that is less singular may have run round branch points beside t = 1: landing tells.
   if (best_->winding > 1 && !is_singular && phase_ != Phase::landing) return land();
   end_.x = best_->x;
   end_.winding = best_->winding;
@@ -538,7 +545,8 @@ std::optional<Departure> Endgame::conclude(PathSystem& path) {
   return take_finite();
 }
 
-// x_0 beside its error. That it is 0, no number of digits tells: a root of size 1e31 ends as an end at infinity does.
+// x_0 beside its error. That it is 0, no number of digits tells: a root of size 1e31 ends as an end
+// at infinity does.
 bool Endgame::is_known_finite() const { return chart_.finiteness(end_.x) > 10 * end_.accuracy; }
 
 std::nullopt_t Endgame::take_finite() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Faces from rounded valuations, and Gauss-Newton in logarithms on them: faces in double-double, their slopes in double.
+// Faces from rounded valuations, and Gauss-Newton in logarithms on them: faces in double-double,
+// their slopes in double.
 #include "face.h"
 
 #include <Eigen/Core>
@@ -75,9 +76,10 @@ class Faces {
                        [](const Face& face) { return face.size() > 1; });
   }
 
-  /// Gauss-Newton from y, in the units. Singular values of the Jacobian below a threshold, beside the largest, are those of the torus
-  /// that acts on all roots of a face, or of directions in which a step would lead astray. Towards a multiple root others
-  /// become small too: where what is left lies in the directions cut off, fewer of them are.
+  /// Gauss-Newton from y, in the units. Singular values of the Jacobian below a threshold, beside
+  /// the largest, are those of the torus that acts on all roots of a face, or of directions in
+  /// which a step would lead astray. Towards a multiple root others become small too: where what is
+  /// left lies in the directions cut off, fewer of them are.
   FaceRoot root_near(std::vector<Number> y) const {
     VectorXcd value(static_cast<Index>(faces_.size()));
     VectorXd error(value.size());
@@ -93,7 +95,8 @@ class Faces {
       if (largest <= ends_.fine_rounding) return FaceRoot::exact;
       const bool is_stuck = std::abs(largest - before) < before / 10;
       if (largest <= error.sum()) result = FaceRoot::as_rounded;
-      // The errors make up for nothing where the way leads on to a root, slowly where that is a multiple one.
+      // The errors make up for nothing where the way leads on to a root, slowly where that is a
+      // multiple one.
       if (result == FaceRoot::as_rounded && is_stuck) break;
       if (is_stuck) threshold = std::max(threshold / 10, ends_.rounding);
       before = largest;
@@ -146,8 +149,8 @@ class Faces {
     return face;
   }
 
-  // Each face over its largest term, what errors of the file's numbers change in it, and its derivatives in log y: the torus
-  // that acts on the roots of a face is exactly their null space.
+  // Each face over its largest term, what errors of the file's numbers change in it, and its
+  // derivatives in log y: the torus that acts on the roots of a face is exactly their null space.
   void evaluate(const std::vector<Number>& y, VectorXcd& value, VectorXd& error,
                 MatrixXcd& jacobian) const {
     jacobian.setZero();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What does a path that waits need, to go on in another process? All that it has seen so far, to the last bit.
+// What does a path that waits need, to go on in another process? All that it has seen so far, to
+// the last bit.
 #include <memory>
 #include <utility>
 

@@ -56,7 +56,8 @@ struct begin_product : success {};
 struct end_product : success {};
 struct multiplied : if_must<seq<one<'*'>, not_at<one<'*'>>>, gap, signed_power> {};
 struct divided : if_must<one<'/'>, gap, signed_power> {};
-// 2x, 3(x + 1): a number right before what it multiplies. Behind a `/` it would be read in two ways: 1/2x.
+// 2x, 3(x + 1): a number right before what it multiplies. Behind a `/` it would be read in two
+// ways: 1/2x.
 struct behind_digit {
   using rule_t = behind_digit;
   using subs_t = empty_list;
@@ -158,7 +159,8 @@ struct Builder {
     stack.pop_back();
   }
 
-  /// Closes a sum or product; one operand alone needs no node, and none is left when all are handed on.
+  /// Closes a sum or product; one operand alone needs no node, and none is left when all are handed
+  /// on.
   void finish(Expression::Kind kind) {
     const std::size_t height = unfinished.back();
     unfinished.pop_back();
@@ -437,14 +439,16 @@ std::optional<SyntaxFault> build_from(const SourcePosition& from, Builder& build
   }
 }
 
-/// Notes `fault` and what it hides of parentheses. Where reading goes on, in a builder as new; none: the text is done.
+/// Notes `fault` and what it hides of parentheses. Where reading goes on, in a builder as new;
+/// none: the text is done.
 std::optional<SourcePosition> recover(const SyntaxFault& fault, Builder& builder) {
   const std::size_t begin = builder.begin.offset;
   std::size_t from = fault.reached.offset - begin;
   std::vector<std::size_t> open;
   for (const Builder::Opening& opening : builder.openings)
     open.push_back(opening.at.offset - begin);
-  // A parenthesis is on its way to the stack only when it is the fault itself, beyond the depth allowed.
+  // A parenthesis is on its way to the stack only when it is the fault itself, beyond the depth
+  // allowed.
   if (!open.empty() && open.back() == from) ++from;
   builder.faults.push_back(fault.diagnostic);
   const bool is_told = fault.diagnostic.message == kUnopened;

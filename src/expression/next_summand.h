@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where does a sum go on behind a fault? At its next summand, outside all parentheses: so that one fault hides no other.
+// Where does a sum go on behind a fault? At its next summand, outside all parentheses: so that one
+// fault hides no other.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +16,8 @@ struct NextSummand {
   std::optional<std::size_t> unclosed;  ///< the innermost `(` that the text's end leaves open
 };
 
-/// Looks in `text` from `from` on, where the parentheses at `open` are not closed yet. A sign inside a number (1e-5) is
-/// none of a sum.
+/// Looks in `text` from `from` on, where the parentheses at `open` are not closed yet. A sign
+/// inside a number (1e-5) is none of a sum.
 NextSummand next_summand(std::string_view text, std::size_t from, std::vector<std::size_t> open);
 
 }  // namespace moivre

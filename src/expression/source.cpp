@@ -22,7 +22,8 @@ constexpr std::size_t kWindow = 96;
 constexpr std::size_t kMaximumFaultsInText = 1000;
 
 constexpr std::size_t kMegabyte = 1'000'000;
-/// Read at a time: first a mechanism's usual length, for every page of memory that is touched costs a microsecond.
+/// Read at a time: first a mechanism's usual length, for every page of memory that is touched costs
+/// a microsecond.
 constexpr std::size_t kFirstPiece = 1 << 12;
 constexpr std::size_t kPiece = 1 << 16;
 

@@ -112,7 +112,8 @@ void Lu::solve_adjoint(std::span<Complex> b) noexcept {
   for (std::size_t i = 0; i < n_; ++i) b[i] *= row_scale_[i];
 }
 
-// |A^{-1}|_inf = |A^{-H}|_1 by Higham's estimator of the 1-norm, which solves with A^{-H} and A^{-1}.
+// |A^{-1}|_inf = |A^{-H}|_1 by Higham's estimator of the 1-norm, which solves with A^{-H} and
+// A^{-1}.
 // A is J or R J; the solves are those of J, and R is divided out on the way.
 double Lu::norm_of_inverse(bool row_scaled) noexcept {
   constexpr int kMaximumIterations = 5;

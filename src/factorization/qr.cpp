@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Eigen's factorizations, each instantiated here and nowhere else, and for matrices only: they are what takes a compiler longest.
+// Eigen's factorizations, each instantiated here and nowhere else, and for matrices only: they are
+// what takes a compiler longest.
 #include "moivre/factorization/qr.h"
 
 namespace moivre {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a singular value decomposition computed? Jacobi's rotations for small matrices, bidiagonalization for large ones.
+// How is a singular value decomposition computed? Jacobi's rotations for small matrices,
+// bidiagonalization for large ones.
 #include "moivre/factorization/svd.h"
 
 #include <Eigen/SVD>

@@ -16,7 +16,8 @@ bool has_zero_polynomial(const System& f) {
                      [](const Polynomial& p) { return p.terms.empty(); });
 }
 
-/// The same equations in x1, x2, ...: what the unknowns are called is no part of a family of blocks.
+/// The same equations in x1, x2, ...: what the unknowns are called is no part of a family of
+/// blocks.
 System renamed(System f) {
   for (std::size_t j = 0; j < f.variables.size(); ++j) {
     f.variables[j] = std::string("x").append(std::to_string(j + 1));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which roots of many members are proved to be roots of the exact systems, and different ones? Members with others are not complete.
+// Which roots of many members are proved to be roots of the exact systems, and different ones?
+// Members with others are not complete.
 //
 // Private to the module.
 #pragma once
@@ -8,7 +9,8 @@
 
 namespace moivre {
 
-/// Sets MemberRoot::certified of members that are complete; one with a root that has no proof is not complete any more.
+/// Sets MemberRoot::certified of members that are complete; one with a root that has no proof is
+/// not complete any more.
 void certify_members(const Family& family, std::span<const Point> members, int threads,
                      const std::atomic<bool>& stop, std::vector<MemberRoots>& results);
 

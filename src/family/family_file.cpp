@@ -120,7 +120,8 @@ Learning learning_of(const Json& json) {
   return learning;
 }
 
-/// The system in the variables as they are listed: reading gives them in the order of their first appearance.
+/// The system in the variables as they are listed: reading gives them in the order of their first
+/// appearance.
 System system_of(const Source& source, const Json& json, const std::vector<std::string>& names) {
   System system = read_system({source.name, json.at("system").get<std::string>()});
   system.groups.clear();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where do roots of one member go when it becomes another? Followed together; and all that loops of members lead to.
+// Where do roots of one member go when it becomes another? Followed together; and all that loops of
+// members lead to.
 //
 // Private to the module.
 #pragma once
@@ -18,7 +19,8 @@ struct Follower {
       nullptr;  ///< asked for ends before paths are followed, and told them
 };
 
-/// Where each root at `from` arrives at `to`; nullopt where its path broke off, or ends at no regular root.
+/// Where each root at `from` arrives at `to`; nullopt where its path broke off, or ends at no
+/// regular root.
 std::vector<std::optional<Point>> follow_roots(const System& system, const Point& from,
                                                const Point& to, const std::vector<Point>& roots,
                                                const Follower& follower);

@@ -14,7 +14,8 @@ Point rounded(const ParameterValues& p) {
   return point;
 }
 
-/// Along the line of parameters: the same scaling of both ends, so that nothing but the family lies between them.
+/// Along the line of parameters: the same scaling of both ends, so that nothing but the family lies
+/// between them.
 GivenStart start_by_parameters(const Family& family, const ParameterValues& p,
                                const System& member) {
   GivenStart start;

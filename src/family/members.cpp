@@ -25,7 +25,8 @@ constexpr double kLeastFiniteness = 1e-8;
 constexpr double kNewtonTolerance = 1e-12;
 // Ends nearer than this, relative, may be one root.
 constexpr double kApart = 1e-6;
-// Imaginary parts up to so many times the accuracy may be 0, of roots that are kApart from their conjugates otherwise.
+// Imaginary parts up to so many times the accuracy may be 0, of roots that are kApart from their
+// conjugates otherwise.
 constexpr double kRealTolerance = 1e-9;
 
 struct Shared {

@@ -59,8 +59,8 @@ class JointSystem {
   Eigen::MatrixXcd jacobian_;
 };
 
-/// From z the shortest corrections, in units of `sizes`, until F(z) = 0; false where they do not come to an end, or creep to one, as
-/// they do to multiple roots.
+/// From z the shortest corrections, in units of `sizes`, until F(z) = 0; false where they do not
+/// come to an end, or creep to one, as they do to multiple roots.
 bool correct(JointSystem& f, const Eigen::VectorXd& sizes, Point& z) {
   constexpr int kMostSteps = 100;
   constexpr double kLargest = 1e6;
@@ -124,7 +124,8 @@ std::string standing_of(const Learning& learning, const TraceTest& test, const S
                     : "the trace test fails (" + points + "): roots are missing";
 }
 
-/// Random roots of random members, small and large, belong to other components where they come to roots that no loop leads to.
+/// Random roots of random members, small and large, belong to other components where they come to
+/// roots that no loop leads to.
 void look_elsewhere(const Family& family, const LoopSearch& loops, const Follower& follower,
                     Search& search) {
   for (int k = 1; k <= loops.options.other_pairs && !follower.stop; ++k) {

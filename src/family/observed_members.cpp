@@ -11,7 +11,8 @@
 namespace moivre {
 namespace {
 
-// Paths of a block, which is lost where the run is killed: some seconds at most. Lanes are full in a block of so many members a thread.
+// Paths of a block, which is lost where the run is killed: some seconds at most. Lanes are full in
+// a block of so many members a thread.
 constexpr std::size_t kPathsTogether = 20'000, kMembersOfAThread = 16, kMostTogether = 4096;
 
 Fingerprint list_of(const MembersTask& task, std::span<const Point> members) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which members were solved before? Their roots are taken as they were observed, and only the others are solved, block by block.
+// Which members were solved before? Their roots are taken as they were observed, and only the
+// others are solved, block by block.
 //
 // Private to the module.
 #pragma once
@@ -29,7 +30,8 @@ using MembersSolver =
 std::vector<MemberRoots> observe_members(const MembersTask& task, std::span<const Point> members,
                                          const MembersSolver& solve, const std::atomic<bool>& stop);
 
-/// The exact bytes of a member's roots, and these again. Throws std::invalid_argument where they are none.
+/// The exact bytes of a member's roots, and these again. Throws std::invalid_argument where they
+/// are none.
 std::string bytes_of(const MemberRoots& roots);
 MemberRoots member_roots_of(std::string_view bytes);
 

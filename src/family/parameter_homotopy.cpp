@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A family whose roots the caller knows: moved to a generic member, and from there to the wanted one.
+// A family whose roots the caller knows: moved to a generic member, and from there to the wanted
+// one.
 #include "moivre/family/parameter_homotopy.h"
 
 #include <algorithm>

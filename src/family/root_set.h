@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Is this root among many others? Points in the order they were added, none twice.
 //
-// Two points are one where |x - y|_inf <= 1e-6 max(1, |x|_inf): regular roots of a generic member lie farther apart. O(log N) a question:
-// points are sorted by one projection, of which coinciding points differ by no more than n times their distance.
+// Two points are one where |x - y|_inf <= 1e-6 max(1, |x|_inf): regular roots of a generic member
+// lie farther apart. O(log N) a question:
+// points are sorted by one projection, of which coinciding points differ by no more than n times
+// their distance.
 // Private to the module.
 #pragma once
 

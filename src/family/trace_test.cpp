@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The curve of roots over a line of members, cut by bilinear forms that move: is the sum of their points linear?
+// The curve of roots over a line of members, cut by bilinear forms that move: is the sum of their
+// points linear?
 #include <algorithm>
 #include <array>
 
@@ -16,7 +17,8 @@ constexpr std::uint64_t kForm = 700'001;
 constexpr std::uint64_t kSum = 700'002;
 // Sums of points known to twelve digits are linear to this, beside the sum of their sizes.
 constexpr double kLinear = 1e-7;
-// Steps of the form: a missing root that is so many times as far away as the others bends the sum of a step as long.
+// Steps of the form: a missing root that is so many times as far away as the others bends the sum
+// of a step as long.
 constexpr std::array<double, 3> kSteps{1, 1e2, 1e4};
 // A point of the curve stands over p* where s is no more than this.
 constexpr double kAtBase = 1e-8;
@@ -32,7 +34,8 @@ Polynomial power(const Polynomial& base, std::uint32_t exponent) {
   return result;
 }
 
-/// F(x; p* + s v) and the form sum_j a_j s x_j + b_j x_j + c s + d, in x, s and the form's coefficients.
+/// F(x; p* + s v) and the form sum_j a_j s x_j + b_j x_j + c s + d, in x, s and the form's
+/// coefficients.
 System curve_system(const Family& family, const Point& v) {
   const auto n = static_cast<std::uint32_t>(family.unknowns());
   System curve;
@@ -108,7 +111,8 @@ Trace trace_of(const std::vector<Point>& points, std::uint64_t seed) {
   return trace;
 }
 
-/// Points of the curve that come to p* where the form splits, and are none of the family's roots there.
+/// Points of the curve that come to p* where the form splits, and are none of the family's roots
+/// there.
 std::size_t missing_roots(const System& curve, const Point& base, const std::vector<Point>& points,
                           const Family& family, const Follower& follower) {
   const Point split = split_form(family.unknowns(), family.seed);

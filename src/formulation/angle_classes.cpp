@@ -7,7 +7,8 @@
 namespace moivre {
 namespace {
 
-// Angles are doubles of the file, turned to radians and added along a chain: they differ by far less when they agree.
+// Angles are doubles of the file, turned to radians and added along a chain: they differ by far
+// less when they agree.
 constexpr double kSameAngle = 1e-11;
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which bodies stand at a known angle to each other? Classes of bodies that share one unknown angle.
+// Which bodies stand at a known angle to each other? Classes of bodies that share one unknown
+// angle.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do formulations need of polynomials beside polynomial/system.h? Differences of rounded numbers, and sizes.
+// What do formulations need of polynomials beside polynomial/system.h? Differences of rounded
+// numbers, and sizes.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +17,9 @@ inline double largest_coefficient(const Polynomial& p) {
   return largest;
 }
 
-/// a - b where both have coefficients of lengths and points as typed, right to half a unit of their last digit: terms that cancel but
-/// for that do cancel. Left in, they would be roots at 1e16 instead of none.
+/// a - b where both have coefficients of lengths and points as typed, right to half a unit of their
+/// last digit: terms that cancel but for that do cancel. Left in, they would be roots at 1e16
+/// instead of none.
 inline Polynomial rounded_difference(const Polynomial& a, const Polynomial& b) {
   constexpr double kRounding = 1e-14;  // a sum of a few squares of numbers right to 2^-53
   const auto size = [](const Polynomial& p, const Monomial& of) {

@@ -58,7 +58,8 @@ class Matching {
   std::vector<bool> visited_;
 };
 
-/// Strongly connected equations that are matched, where one needs those that are matched with its other variables; needed ones first.
+/// Strongly connected equations that are matched, where one needs those that are matched with its
+/// other variables; needed ones first.
 std::vector<Block> blocks_of(const Incidence& variables, const Matching& matching) {
   using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
   Graph needs(variables.size());

@@ -27,7 +27,8 @@ Rational power_of_ten(int exponent) {
   return exponent < 0 ? Rational(1, power) : Rational(power);
 }
 
-// A fixed-point number of so many bits behind the point holds an angle, its cosine and its sine; of a half angle's tangent fewer are kept.
+// A fixed-point number of so many bits behind the point holds an angle, its cosine and its sine; of
+// a half angle's tangent fewer are kept.
 constexpr unsigned kWorkingBits = 192;
 constexpr unsigned kTangentBits = 128;
 // A product of directions is rounded to one of kTangentBits where it has become as long as this.
@@ -50,8 +51,8 @@ Integer fixed(const Rational& x) {
 
 bool is_whole_number(const Rational& x) { return denominator(x) == 1; }
 
-/// tan(r / 2) of an angle of at most an eighth of a turn, by the series of its cosine and sine: some forty terms, each right to the last of
-/// kWorkingBits.
+/// tan(r / 2) of an angle of at most an eighth of a turn, by the series of its cosine and sine:
+/// some forty terms, each right to the last of kWorkingBits.
 Rational half_tangent(const Integer& r) {
   const Integer one = Integer(1) << kWorkingBits;
   Integer cosine = 0;

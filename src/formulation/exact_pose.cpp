@@ -12,7 +12,8 @@
 namespace moivre {
 namespace {
 
-// Square roots leave the last two bits of a ratio to chance; without them a quarter turn is one exactly.
+// Square roots leave the last two bits of a ratio to chance; without them a quarter turn is one
+// exactly.
 constexpr int kBits = 50;
 
 }  // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Which exact pose did the file mean? Points and turns of a joint's frame as a rational dual quaternion.
+// Which exact pose did the file mean? Points and turns of a joint's frame as a rational dual
+// quaternion.
 //
-// Rounded axes and angles are no rotations, and equations with such coefficients have roots at 1e16 instead of none. A
-// quaternion needs no norm: any four rationals turn by some angle, within rounding of the one meant.
+// Rounded axes and angles are no rotations, and equations with such coefficients have roots at 1e16
+// instead of none. A quaternion needs no norm: any four rationals turn by some angle, within
+// rounding of the one meant.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +16,8 @@ namespace moivre {
 
 using ExactPose = DualQuaternion<Rational>;
 
-/// x, a number near 1 or below, cleaned of the bits that square roots leave to chance: what was meant as 1 is 1.
+/// x, a number near 1 or below, cleaned of the bits that square roots leave to chance: what was
+/// meant as 1 is 1.
 Rational without_noise(double x);
 
 /// A shift to a point, whose coordinates are the decimals that were typed.

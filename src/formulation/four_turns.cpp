@@ -71,7 +71,8 @@ class FourTurns {
     return pose;
   }
 
-  /// The product of the loop, linear in the slide `moved`: its factor. No slide moves where `moved` is the loop's size.
+  /// The product of the loop, linear in the slide `moved`: its factor. No slide moves where `moved`
+  /// is the loop's size.
   MovingPose chain(std::size_t moved) const {
     return to_moving(between(0, turns_[0], moved)) * dyad(0, c_, moved) *
            to_moving(between(turns_[1] + 1, turns_[2], moved)) * dyad(2, d_, moved) *

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How are unknowns and equations of a formulation collected? Each unknown with what it is and whose, each equation with its name.
+// How are unknowns and equations of a formulation collected? Each unknown with what it is and
+// whose, each equation with its name.
 #pragma once
 
 #include <string>
@@ -11,7 +12,8 @@ namespace moivre {
 
 class Frame {
  public:
-  /// Its own mirror image; `owners` are the bodies (or unknowns) that it places. Returns its number.
+  /// Its own mirror image; `owners` are the bodies (or unknowns) that it places. Returns its
+  /// number.
   std::uint32_t add_variable(const std::string& name, bool is_direction,
                              const std::vector<std::string>& owners) {
     const std::size_t index = result_.system.variables.size();

@@ -120,7 +120,8 @@ class Bodies {
     }
   }
 
-  /// The pinion of a rack, the lever on a cam. One that follows stands at 0 until its angle is read.
+  /// The pinion of a rack, the lever on a cam. One that follows stands at 0 until its angle is
+  /// read.
   void hold_second(const Joint& joint) {
     constexpr double kAgreement = 1e-9;  // as known angles agree
     const auto& slide = known_.slides[number(joint)];
@@ -201,7 +202,8 @@ class Bodies {
                     unit_at(times(-zj, typed_angle(gear.phase_rad, mechanism_.units))));
   }
 
-  /// Of a rack or a cam: what a driver says, and what an angle does; 0 for a tappet until its lift is read.
+  /// Of a rack or a cam: what a driver says, and what an angle does; 0 for a tappet until its lift
+  /// is read.
   void add_known_slides(const Joint& joint) {
     const auto add = [&](const EnclosedNumber& slide) {
       const Polynomial twice = Coefficient{2, 0} * frame_.number(slide);
@@ -311,8 +313,8 @@ class Bodies {
     return place(ends[1]) - place(ends[0]);
   }
 
-  /// p, linear in lengths, without what points as typed leave where they mean nothing: a coefficient that is rounding beside the
-  /// mechanism's size would be a root at 1e16.
+  /// p, linear in lengths, without what points as typed leave where they mean nothing: a
+  /// coefficient that is rounding beside the mechanism's size would be a root at 1e16.
   Polynomial without_rounding(Polynomial p) const {
     if (frame_.has_factors()) return p;
     constexpr double kRounding = 2e-15;  // a sum of a few lengths right to 2^-53

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Typed equations as polynomials: cosines and sines of whole multiples of angles become powers of t and u.
+// Typed equations as polynomials: cosines and sines of whole multiples of angles become powers of t
+// and u.
 #include <algorithm>
 #include <cmath>
 #include <map>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Unknowns, angle classes and products of powers of t, as bodies and typed equations both need them.
+// Unknowns, angle classes and products of powers of t, as bodies and typed equations both need
+// them.
 #include "isotropic_frame.h"
 
 #include <algorithm>

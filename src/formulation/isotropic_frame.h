@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do closure polynomials of bodies and of typed equations share? Unknowns with mirrors, angles as t and u, sums.
+// What do closure polynomials of bodies and of typed equations share? Unknowns with mirrors, angles
+// as t and u, sums.
 #pragma once
 
 #include <array>
@@ -45,7 +46,8 @@ inline constexpr std::uint32_t kFirstFactor = std::uint32_t{1} << 30;
 /// Puts a Formulation together.
 class IsotropicFrame : public Frame {
  public:
-  /// Nodes of the angle classes: 0 the ground, then one a name. With factors, what is known up to an error only is multiplied by them.
+  /// Nodes of the angle classes: 0 the ground, then one a name. With factors, what is known up to
+  /// an error only is multiplied by them.
   explicit IsotropicFrame(std::vector<std::string> names, bool has_factors = false);
 
   bool has_factors() const { return has_factors_; }
@@ -89,7 +91,8 @@ class IsotropicFrame : public Frame {
 /// p to a power >= 0.
 Polynomial power(const Polynomial& p, int exponent);
 
-/// The polynomials of the formulation in the same order, made by the frame of the same mechanism with factors.
+/// The polynomials of the formulation in the same order, made by the frame of the same mechanism
+/// with factors.
 EnclosedPolynomials with_factors(const Formulation& formulation, const IsotropicFrame& frame);
 
 Formulation isotropic_bodies(const Mechanism& mechanism, double t);

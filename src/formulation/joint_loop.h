@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is a loop of joints of one freedom? A product of turns and slides that is a given pose, wherever it begins and whichever
-// way round it is read.
+// What is a loop of joints of one freedom? A product of turns and slides that is a given pose,
+// wherever it begins and whichever way round it is read.
 #pragma once
 
 #include <array>
@@ -11,7 +11,8 @@
 
 namespace moivre {
 
-/// One joint of one freedom: E = b0 + unknown b1, with b0 = 1 + o A, b1 = A - o for a turn; b0 = 1, b1 = A - o for a slide.
+/// One joint of one freedom: E = b0 + unknown b1, with b0 = 1 + o A, b1 = A - o for a turn; b0 = 1,
+/// b1 = A - o for a slide.
 struct LoopElement {
   std::size_t number = 0;  ///< in the loop as it is followed
   ExactPose axis;          ///< A

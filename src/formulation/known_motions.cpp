@@ -45,8 +45,8 @@ bool guides(const Joint& other, const Joint& cam) {
          other.at[1].body == cam.at[1].body && other.axis[0].cross(cam.axis[0]).norm() <= kParallel;
 }
 
-/// Whether the second body of a rack or a cam is held by that and by pins at one place, or a tappet by its guide, and by nothing
-/// else.
+/// Whether the second body of a rack or a cam is held by that and by pins at one place, or a tappet
+/// by its guide, and by nothing else.
 bool is_followed_freely(const Mechanism& mechanism, const Joint& joint) {
   const std::size_t body = joint.at[1].body;
   const auto pivot = pivot_of(mechanism, joint);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which links say no more than a distance or an angle? They become rods, cones and meetings of lines.
+// Which links say no more than a distance or an angle? They become rods, cones and meetings of
+// lines.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -161,7 +162,8 @@ bool is_armed(const Strut& strut) {
   return arm.cross(axis.along).norm() > kBeside * arm.norm();
 }
 
-/// Whether a strut's own axes are parallel to each other and across its length, and the axes of both crosses perpendicular.
+/// Whether a strut's own axes are parallel to each other and across its length, and the axes of
+/// both crosses perpendicular.
 bool is_flat(const Strut& strut) {
   constexpr double kAcross = 1e-11;
   const Axis near = axis_of(strut.cross.at_j);
@@ -212,7 +214,8 @@ void leave_out_strut(RigidGroups& groups, std::size_t group) {
 
 }  // namespace
 
-// Rods first: three distances to a point of a link that a distance may replace would leave its turn about the other point free.
+// Rods first: three distances to a point of a link that a distance may replace would leave its turn
+// about the other point free.
 void leave_out_rods(RigidGroups& groups) {
   for (const std::size_t balls : {2U, 3U}) {
     for (std::size_t group = 1; group < groups.names.size(); ++group) {

@@ -9,7 +9,8 @@
 namespace moivre {
 namespace {
 
-// Beside the polynomial's largest coefficient: products of a few decimals of 16 digits are right to this.
+// Beside the polynomial's largest coefficient: products of a few decimals of 16 digits are right to
+// this.
 constexpr double kOfLargest = 1e-12;
 
 }  // namespace

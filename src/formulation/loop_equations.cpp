@@ -15,14 +15,16 @@ namespace {
 constexpr std::size_t kSix = 6;
 constexpr std::size_t kTurnsOfSpace = 3;
 
-/// How a loop of six is cut: which way round, from which joint, and whether its last three joints stay in one 3-space.
+/// How a loop of six is cut: which way round, from which joint, and whether its last three joints
+/// stay in one 3-space.
 struct Cut {
   JointLoop loop;
   bool has_common_space = false;
   double merit = -1;
 };
 
-// A dyad whose 3-space is nearer to Study's quadric than this lies in it: its axes meet or are parallel.
+// A dyad whose 3-space is nearer to Study's quadric than this lies in it: its axes meet or are
+// parallel.
 constexpr double kOnQuadric = 1e-10;
 
 bool lies_on_quadric(const LoopElement& a, const LoopElement& b, double length) {
@@ -36,7 +38,8 @@ Cut best_cut(const JointLoop& loop, double length) {
     const double inner = distance_from_quadric(e[1], e[2], length);
     // Two slides in a row span a plane of displacements, too few for the coordinates of a dyad.
     const bool is_dyad = e[4].is_turn || e[5].is_turn;
-    // Four paths and two for each beat any other cut. Without an inner dyad there is an equation too many: better than none.
+    // Four paths and two for each beat any other cut. Without an inner dyad there is an equation
+    // too many: better than none.
     const bool decouples = is_dyad && spans_common_space(e[3], e[4], e[5], length) &&
                            !spans_common_space(e[0], e[1], e[2], length);
     double merit = distance_from_quadric(e[4], e[5], length);
@@ -46,7 +49,8 @@ Cut best_cut(const JointLoop& loop, double length) {
   return best;
 }
 
-/// Dyads of two slides among those that are used of three to five elements: A B = 0 there, and they span no 3-space.
+/// Dyads of two slides among those that are used of three to five elements: A B = 0 there, and they
+/// span no 3-space.
 int flat_dyads(const JointLoop& loop) {
   const auto& e = loop.elements;
   const auto is_flat = [&](std::size_t k) { return !e[k].is_turn && !e[k + 1].is_turn; };
@@ -77,9 +81,11 @@ class LoopEquations {
     add_half_angles(frame_, e(4), e(5), c);
   }
 
-  /// E_1, or E_1 E_2, or E_1 D_23 in the space of the last two, where they need not be on its quadric; of six elements E_1 D_23 in the
-  /// space of the last three, which E_4 does not leave, or E_1 E_2 E_3 where D says too little. Of five elements the four equations of
-  /// the space, which come first, have 4 paths alone, and D's quadric is a check; of six it holds, since the space lies in Study's.
+  /// E_1, or E_1 E_2, or E_1 D_23 in the space of the last two, where they need not be on its
+  /// quadric; of six elements E_1 D_23 in the space of the last three, which E_4 does not leave, or
+  /// E_1 E_2 E_3 where D says too little. Of five elements the four equations of the space, which
+  /// come first, have 4 paths alone, and D's quadric is a check; of six it holds, since the space
+  /// lies in Study's.
   void add_by_dyads() {
     const std::size_t last = loop_.elements.size() - 2;
     const DyadSpace outer = dyad_at(last);
@@ -100,7 +106,8 @@ class LoopEquations {
     add_half_angles(frame_, e(last), e(last + 1), c);
   }
 
-  /// Three turns and three slides: the turns alone close like a spherical loop, and then the slides are linear.
+  /// Three turns and three slides: the turns alone close like a spherical loop, and then the slides
+  /// are linear.
   void add_turns_first() {
     JointLoop turns{{}, {loop_.whole.q, {}}};
     for (LoopElement element : loop_.elements) {
@@ -112,7 +119,8 @@ class LoopEquations {
     add_shift();
   }
 
-  /// Slides alone turn nothing: what turns once round the loop must stand, and the slides are linear.
+  /// Slides alone turn nothing: what turns once round the loop must stand, and the slides are
+  /// linear.
   void add_slides() {
     constexpr double kTurned = 1;
     for (std::size_t k = 1; k < loop_.whole.q.size(); ++k) {
@@ -139,7 +147,8 @@ class LoopEquations {
     return c;
   }
 
-  /// Where axes meet in a point all shifts cancel, and each part is rounding of what a shift of the mechanism's length would give.
+  /// Where axes meet in a point all shifts cancel, and each part is rounding of what a shift of the
+  /// mechanism's length would give.
   void in_space(const MovingPose& pose, const DyadSpace& space) {
     double turn = 0;
     for (const Polynomial& p : pose.q) turn = std::max(turn, largest_coefficient(p));

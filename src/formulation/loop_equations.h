@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which equations say that a product of turns and slides is a given pose? serial_loop.h has the mathematics.
+// Which equations say that a product of turns and slides is a given pose? serial_loop.h has the
+// mathematics.
 #pragma once
 
 #include "joint_loop.h"

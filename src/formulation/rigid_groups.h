@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Which bodies of a spatial mechanism does nothing move apart, and what ties these groups? Drivers stand.
+// Which bodies of a spatial mechanism does nothing move apart, and what ties these groups? Drivers
+// stand.
 //
-// A weld, a driven revolute or prismatic joint and a cylindrical one that is driven both ways join two bodies to one group; a
-// cylindrical joint that is driven one way is a prismatic or a revolute one. What is left are ties between groups, each with
-// an exact frame in both (z the joint's axis):
+// A weld, a driven revolute or prismatic joint and a cylindrical one that is driven both ways join
+// two bodies to one group; a cylindrical joint that is driven one way is a prismatic or a revolute
+// one. What is left are ties between groups, each with an exact frame in both (z the joint's axis):
 //   pose of group j in group i  ~  at_i M conj(at_j),   M by the tie's place and turn:
 //   turns about the axis  1 + t k        slides along it  1 + eps s k / 2
 // A tie is what is left of a joint (mechanism/joint_type.h), or one of:
@@ -11,13 +12,16 @@
 //   a cone     at a point, two turns about axes that keep their angle (universal: 90 deg)
 //   a meeting  anywhere, turning freely, but so that the z axes, as lines, meet
 // A screw that is not driven ties an angle to a length, which no polynomial says: refused.
-// Links that say no more than a distance or an angle are replaced by it, and placed by their points afterwards:
+// Links that say no more than a distance or an angle are replaced by it, and placed by their points
+// afterwards:
 //   a group held by two spherical joints alone    a rod; its spin is free and moves nothing else
 //   a group held by three spherical joints alone  three rods
 //   a group held by two revolute joints whose axes meet, in a mechanism of several loops    a cone
-//   a strut, a group held by a universal joint and another joint at a point, in a mechanism of several loops:
+//   a strut, a group held by a universal joint and another joint at a point, in a mechanism of
+//   several loops:
 //     spherical                                   a rod
-//     universal, with axes of the strut that are parallel and across its length    a rod, and two lines that meet
+//     universal, with axes of the strut that are parallel and across its length    a rod, and two
+//     lines that meet
 #pragma once
 
 #include <cstddef>

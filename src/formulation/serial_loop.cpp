@@ -28,8 +28,8 @@ ExactPose axis_at(const ExactPose& frame, bool is_turn) {
   return 1 / norm(near) * (near * z * conjugate(near));
 }
 
-/// Axes where all joints are at rest; without unknowns. Seen from the first joint: places far from the origin would be rounded by more,
-/// and a loop that moves would not.
+/// Axes where all joints are at rest; without unknowns. Seen from the first joint: places far from
+/// the origin would be rounded by more, and a loop that moves would not.
 JointLoop at_rest(const RigidGroups& groups, const std::vector<Tie>& loop) {
   const Quaternion<Rational> first = shift_of(loop.front().at_i);
   const Rational half(1, 2);
@@ -52,7 +52,8 @@ JointLoop at_rest(const RigidGroups& groups, const std::vector<Tie>& loop) {
   return joints;
 }
 
-/// Slides are their own unknowns where they are to be linear; else infinity is brought to a finite place.
+/// Slides are their own unknowns where they are to be linear; else infinity is brought to a finite
+/// place.
 void add_unknown(SpatialFrame& frame, bool has_linear_slides, LoopElement& element) {
   if (element.is_turn) {
     element.fixed = frame.random_number();

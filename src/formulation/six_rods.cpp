@@ -25,8 +25,8 @@ constexpr std::array<GeneralRod, 6> kGeneralRods{{
     {{-1, 7, 0}, {-6, 1, -8}, 16},
 }};
 
-/// q and g in units of that length, up to a factor, real and imaginary parts in turn; tests/closures/six_rods_test.cpp solves for them
-/// anew.
+/// q and g in units of that length, up to a factor, real and imaginary parts in turn;
+/// tests/closures/six_rods_test.cpp solves for them anew.
 constexpr std::size_t kGeneralPairs = 20;
 const std::array<std::array<double, 2 * ExactPose::size()>, kGeneralPairs> kGeneralPoses{{
     {0.32058166307439123, -0.22495648879670915, -0.11573872489992214, -0.15401184156981274,

@@ -72,7 +72,8 @@ void add_ground_ties(SpatialFrame& frame, const RigidGroups& groups) {
   }
 }
 
-/// A body on six rods has 40 poses in general, and so none has more that are isolated [RongaVust95].
+/// A body on six rods has 40 poses in general, and so none has more that are isolated
+/// [RongaVust95].
 std::optional<Formulation::Theorem> theorem_of(const RigidGroups& groups,
                                                const std::vector<Part>& parts, double length) {
   constexpr std::size_t kRods = 6;

@@ -18,7 +18,8 @@ constexpr std::uint64_t kSeed = 1;
 }  // namespace
 
 Polynomial without_noise(Polynomial p, double size) {
-  // What is left of terms that were to cancel: frames are right to 50 bits, and a product of a dozen of them to 45.
+  // What is left of terms that were to cancel: frames are right to 50 bits, and a product of a
+  // dozen of them to 45.
   constexpr double kNoise = 1e-13;
   const auto is_noise = [&](const Term& term) {
     return std::abs(to_complex(term.coefficient)) <= kNoise * size;
@@ -221,7 +222,8 @@ void add_closing(SpatialFrame& frame, const Tie& tie, const MovingPose& j_in_i) 
     const Polynomial across = q[1] * q[1] + q[2] * q[2];
     vanish(Coefficient{square, 0} * along - across, turn_size * turn_size, "angle");
   }
-  // g is of the turned group's shift where q is not known to be about the axis; product(g, conj q) is the shift itself.
+  // g is of the turned group's shift where q is not known to be about the axis; product(g, conj q)
+  // is the shift itself.
   const bool has_x_and_y = tie.place != JointPlace::in_plane;
   const bool has_z = tie.place != JointPlace::on_line;
   if (tie.place == JointPlace::at_point || is_aligned) {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-// How are unknowns and equations of spatial closure polynomials collected, and how does a tie move with its unknowns?
+// How are unknowns and equations of spatial closure polynomials collected, and how does a tie move
+// with its unknowns?
 //
-//   turn   1 + t k after a fixed turn 1 + o k: (1 - o t) + (o + t) k. The fixed turn, random, keeps half a turn at t finite.
-//   slide  (1 - o u) + eps u k / 2, the slide u / (1 - o u): with o = 0 u is the slide itself, else infinity is brought to a finite place
+//   turn   1 + t k after a fixed turn 1 + o k: (1 - o t) + (o + t) k. The fixed turn, random, keeps
+//          half a turn at t finite.
+//   slide  (1 - o u) + eps u k / 2, the slide u / (1 - o u): with o = 0 u is the slide itself, else
+//          infinity is brought to a finite place
 //   any turn    four homogeneous unknowns with a random patch, a . x = 1
 //   any pose    eight, the patch on the first four: what has q = 0 is infinitely far
 // Every unknown is real where the pose is: the mirror of each is itself.
-// Exclusions: 1 + t^2 = 0, 1 - o u = 0, and |q|^2 = 0 of homogeneous ones; there the polynomials hold and nothing is turned.
+// Exclusions: 1 + t^2 = 0, 1 - o u = 0, and |q|^2 = 0 of homogeneous ones; there the polynomials
+// hold and nothing is turned.
 #pragma once
 
 #include <string>
@@ -31,7 +35,8 @@ Polynomial without_noise(Polynomial p, double size);
 
 class SpatialFrame : public Frame {
  public:
-  /// length: the mechanism's size, in the file's unit of length. has_exact_frames: no joint's frame was rounded.
+  /// length: the mechanism's size, in the file's unit of length. has_exact_frames: no joint's frame
+  /// was rounded.
   explicit SpatialFrame(double length, bool has_exact_frames = false)
       : length_(length), has_exact_frames_(has_exact_frames) {}
   double length() const { return length_; }
@@ -44,8 +49,8 @@ class SpatialFrame : public Frame {
   void note_rounding() { result().is_exact = false; }
   /// Nothing where p is zero; a contradiction where it is another number.
   void add_equation(const std::string& name, Polynomial p);
-  /// An equation that the others imply but for a factor. It comes behind all others, so that it is checked, not solved, where they
-  /// suffice.
+  /// An equation that the others imply but for a factor. It comes behind all others, so that it is
+  /// checked, not solved, where they suffice.
   void add_check(const std::string& name, Polynomial p);
   /// Adds what waits as a check.
   void add_checks();
@@ -85,7 +90,8 @@ struct TieStep {
   ExactPose pose = {};    ///< of a fixed one
   std::string name = {};  ///< of the others' unknowns
 };
-/// From group i to group j. Turns come first where `turns_first`; but for any_turn they commute with the tie's slides.
+/// From group i to group j. Turns come first where `turns_first`; but for any_turn they commute
+/// with the tie's slides.
 std::vector<TieStep> steps_of(const Tie& tie, bool turns_first);
 
 /// Adds the tie's unknowns and gives the pose of group j in group i.

@@ -19,7 +19,8 @@ constexpr double kHalfUnit = 0x1p-53;
 
 int digits_of(const Rational& decimal) {
   Integer digits = abs(numerator(decimal));
-  // The denominator of a decimal divides a power of ten: brought to that, what is left are its digits.
+  // The denominator of a decimal divides a power of ten: brought to that, what is left are its
+  // digits.
   Integer below = denominator(decimal);
   while (below != 1) {
     const Integer common = common_divisor(below, Integer(10));
@@ -30,7 +31,8 @@ int digits_of(const Rational& decimal) {
   return static_cast<int>(digits.str().size());
 }
 
-/// Of the decimals that are rounded to it when multiplied by the unit the one with the fewest digits.
+/// Of the decimals that are rounded to it when multiplied by the unit the one with the fewest
+/// digits.
 ExactAngle degrees_of(double angle_rad) {
   constexpr double kDegree = std::numbers::pi / 180;
   constexpr int kNeighbours = 2;

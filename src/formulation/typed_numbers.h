@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Which exact number did a person type for an angle, and for what a driver prescribes at a time? How far may it be from that?
+// Which exact number did a person type for an angle, and for what a driver prescribes at a time?
+// How far may it be from that?
 //
-// An angle is kept in radians, rounded. What was typed in degrees is the shortest decimal of degrees that is rounded to it; one of more
-// than fifteen digits may be another one, and the rounding is its error. A parabola's value is computed exactly from its typed numbers;
+// An angle is kept in radians, rounded. What was typed in degrees is the shortest decimal of
+// degrees that is rounded to it; one of more than fifteen digits may be another one, and the
+// rounding is its error. A parabola's value is computed exactly from its typed numbers;
 // a table's and a formula's in double, and enclosed by a bound on what rounding may have done.
 #pragma once
 
@@ -12,7 +14,8 @@
 
 namespace moivre {
 
-/// What is computed in double is right to this, beside what it is made of: a hundred operations, each right to a few units of the last digit.
+/// What is computed in double is right to this, beside what it is made of: a hundred operations,
+/// each right to a few units of the last digit.
 inline constexpr double kComputed = 0x1p-44;
 
 /// |number - value| <= error.

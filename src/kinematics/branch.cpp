@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a branch followed? Steps along the curve, samples in between, and the places where it ends.
+// How is a branch followed? Steps along the curve, samples in between, and the places where it
+// ends.
 #include "moivre/kinematics/branch.h"
 
 #include <algorithm>
@@ -27,7 +28,8 @@ using Eigen::VectorXd;
 // Steps in y, where an angle counts by radians and a length by the mechanism's.
 constexpr double kFirstStep = 1e-2;
 constexpr double kShortestStep = 1e-12;
-// The longest step takes this share of all the time, too: a driver's law may have detail that the curve does not announce.
+// The longest step takes this share of all the time, too: a driver's law may have detail that the
+// curve does not announce.
 constexpr double kLongestTime = 1.0 / 8;
 // The last step aims a little beyond the end, so that the end lies within it.
 constexpr double kOvershoot = 1.02;
@@ -36,12 +38,14 @@ constexpr double kLeastGrowth = 0.3;
 constexpr double kMostGrowth = 2;
 // Aim below the limits: a step that just misses one is done twice.
 constexpr double kAim = 0.6;
-// At this sigma branches cross. Points there are known to 1e-16 / sigma, so that they still show sigma itself; branches that
-// pass each other by less are not told from crossing ones.
+// At this sigma branches cross. Points there are known to 1e-16 / sigma, so that they still show
+// sigma itself; branches that pass each other by less are not told from crossing ones.
 constexpr double kCrossing = 1e-7;
-// Rounding moves the points of a step by no more than this over sigma, and so turns their tangents by as much over sigma again.
+// Rounding moves the points of a step by no more than this over sigma, and so turns their tangents
+// by as much over sigma again.
 constexpr double kRoundingOfPoints = 4e-16;
-// Cosine of both singular vectors beyond which a change of sign is a zero of sigma, and not two singular values in turn.
+// Cosine of both singular vectors beyond which a change of sign is a zero of sigma, and not two
+// singular values in turn.
 constexpr double kSameVector = 0.5;
 // A tangent with less of time in it than this stands across.
 constexpr double kAcross = 1e-9;
@@ -55,8 +59,8 @@ constexpr double kSampleMiss = 0.05;
 constexpr double kSampleConverged = 1e-8;
 constexpr int kSampleCorrections = 8;
 
-/// q with the coordinates that are rounding noise beside the others at 0, where that leaves less of Phi: a row whose terms
-/// are noise has no scale of its own.
+/// q with the coordinates that are rounding noise beside the others at 0, where that leaves less of
+/// Phi: a row whose terms are noise has no scale of its own.
 VectorXd least_residual(const Phi& phi, const VectorXd& q, double t) {
   const VectorXd clean = without_noise(phi, q);
   if (clean == q) return q;
@@ -240,7 +244,8 @@ bool Follower::is_begun(const VectorXd& q0) {
 }
 
 double Follower::step_length() const {
-  // To where rate s + bend s^2 / 2 is what is left of the time; where that is the top of the parabola, a dead point, on beyond it.
+  // To where rate s + bend s^2 / 2 is what is left of the time; where that is the top of the
+  // parabola, a dead point, on beyond it.
   const double rate = at_.time_rate();
   const double left = 1 - at_.time();
   const double slope_there = std::sqrt(std::max(0.0, rate * rate + 2 * at_.time_bend() * left));
@@ -300,7 +305,8 @@ void Follower::step() {
   reject();
 }
 
-/// The next step from how well this one went, and no further than a share of the way to where sigma points to zero.
+/// The next step from how well this one went, and no further than a share of the way to where sigma
+/// points to zero.
 void Follower::choose_length(const CurvePoint& b, double h) {
   const VectorXd predicted = at_.y + h * at_.tangent + (h * h / 2) * at_.curvature;
   const auto [miss, turn] = bend_of(b, predicted, h);
@@ -336,7 +342,8 @@ bool Follower::advance(const CurvePoint& b, double h) {
   const std::size_t sampled = result_.samples.size();
   const double until = event ? last->time() - kEventWidth : last->time();
   const Segment whole{at_, *last, at_.tangent.dot(last->y - at_.y)};
-  // A time that all but is the dead point's has no pose of its own: the branch and the one that meets it there are not told apart.
+  // A time that all but is the dead point's has no pose of its own: the branch and the one that
+  // meets it there are not told apart.
   const bool turns_back = event && event->kind == EventKind::dead_point;
   if (!take_samples(whole, until) &&
       !(turns_back && take_samples(whole, until - kDeadPointWidth))) {
@@ -361,7 +368,8 @@ bool Follower::advance(const CurvePoint& b, double h) {
   return true;
 }
 
-/// Where the branch ends within the segment, with the event; else b. nullopt where that cannot be located.
+/// Where the branch ends within the segment, with the event; else b. nullopt where that cannot be
+/// located.
 std::optional<CurvePoint> Follower::end_within(const Segment& segment,
                                                std::optional<BranchEvent>& event) {
   std::optional<CurvePoint> last = segment.b;
@@ -394,8 +402,8 @@ bool Follower::take_samples(const Segment& segment, double until) {
   return true;
 }
 
-/// A Newton step. QR in its stairs first, where Phi_q is square: rank costs more than the step, and what a singular Phi_q gives is
-/// far off.
+/// A Newton step. QR in its stairs first, where Phi_q is square: rank costs more than the step, and
+/// what a singular Phi_q gives is far off.
 VectorXd Follower::correction(const VectorXd& q, double t, bool is_careful) const {
   const MatrixXd J = phi_.jacobian(q, t);
   if (is_careful || J.rows() != J.cols()) {
@@ -404,7 +412,8 @@ VectorXd Follower::correction(const VectorXd& q, double t, bool is_careful) cons
   return solved(StaircaseQr(in_own_units(phi_, J), order_), -phi_.value(q, t));
 }
 
-/// The pose at its own time, corrected from the interpolation; nullopt where the correction leads too far away.
+/// The pose at its own time, corrected from the interpolation; nullopt where the correction leads
+/// too far away.
 std::optional<BranchSample> Follower::sample(const Segment& segment, double t) const {
   const double time = (t - curve_.scale().t0) / curve_.scale().T;
   const VectorXd guess = curve_.q_of(interpolated(segment, place_of_time(segment, time)));

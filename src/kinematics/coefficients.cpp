@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Kinematic coefficients from one factorization of Phi_q; the mixed second-order term by polarization.
+// Kinematic coefficients from one factorization of Phi_q; the mixed second-order term by
+// polarization.
 #include "moivre/kinematics/coefficients.h"
 
 #include <limits>

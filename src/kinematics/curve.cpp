@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The curve's derivatives from those of Phi, its points by Newton's method on the equations and a plane.
+// The curve's derivatives from those of Phi, its points by Newton's method on the equations and a
+// plane.
 #include "curve.h"
 
 #include <Eigen/Core>
@@ -20,9 +21,11 @@ constexpr double kConverged = 1e-9;
 // Near a crossing corrections shrink by half at worst; one that needs more began too far away.
 constexpr int kCorrections = 8;
 constexpr double kShrinks = 0.7;
-// Least squares can come to rest off the curve; there a row of length 1 misses by more than rounding.
+// Least squares can come to rest off the curve; there a row of length 1 misses by more than
+// rounding.
 constexpr double kOnCurve = 1e-8;
-// Of inverse iteration from the vector of the point before: each brings the ratio of the two smallest, squared.
+// Of inverse iteration from the vector of the point before: each brings the ratio of the two
+// smallest, squared.
 constexpr int kInverseIterations = 4;
 // From no vector at all.
 constexpr int kFirstInverseIterations = 24;
@@ -59,7 +62,8 @@ Pattern pattern_of(const Phi& phi, bool all_read_time) {
 
 }  // namespace
 
-/// E x = r and a further row, normal.x = s: by E^T = Q R where its stairs are known, else by a QR of all rows.
+/// E x = r and a further row, normal.x = s: by E^T = Q R where its stairs are known, else by a QR
+/// of all rows.
 class Curve::Bordered {
  public:
   Bordered(const MatrixXd& E, const StaircaseOrder* order) : E_(E) {
@@ -81,7 +85,8 @@ class Curve::Bordered {
     const VectorXd x = stairs_->solve_transposed(r);
     return x + (s - normal_.dot(x)) / normal_.dot(tangent_) * tangent_;
   }
-  /// The right singular vector of the smallest singular value of E across the tangent, which is the normal.
+  /// The right singular vector of the smallest singular value of E across the tangent, which is the
+  /// normal.
   VectorXd weakest(VectorXd v, int iterations) const {
     v = across(normal_, v);
     if (stairs_) return weakest_by_stairs(v, iterations);
@@ -97,7 +102,8 @@ class Curve::Bordered {
   const VectorXd& tangent() const { return tangent_; }
 
  private:
-  /// The same iterations; but for the first half and the last one, all of them on the other side of E, without reflections.
+  /// The same iterations; but for the first half and the last one, all of them on the other side of
+  /// E, without reflections.
   VectorXd weakest_by_stairs(const VectorXd& v, int iterations) const {
     VectorXd u = stairs_->solve(v);
     for (int k = 1; k < iterations; ++k) u = stairs_->inverse_gram(u.normalized());

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What is the curve Phi(q, t) = 0 like at a point, and where does it meet a plane? Tangent, curvature, distance from losing rank.
+// What is the curve Phi(q, t) = 0 like at a point, and where does it meet a plane? Tangent,
+// curvature, distance from losing rank.
 //
 //   y = (q / w, (t - t0) / T)    n + 1 numbers; w: the mechanism's length for lengths, 1 for angles
 //   E = [Phi_q w, Phi_t T]       m x (n + 1), each row brought to length 1
 //   tangent    E y' = 0, |y'| = 1          curvature    E y'' = -(Phi_yy y') y', y''.y' = 0
-//   sigma      n-th singular value of E, with its vectors E v = sigma u: 0 where branches cross; regular where a branch turns
-//              back in t
+//   sigma      n-th singular value of E, with its vectors E v = sigma u: 0 where branches cross;
+//              regular where a branch turns back in t
 // With m = n, E^T = Q R in its stairs (staircase_qr.h): the last column of Q is the tangent.
 // Symbols: n coordinates, m >= n rows.
 #pragma once
@@ -39,8 +40,10 @@ struct CurvePoint {
 
 class Curve {
  public:
-  /// `slack`: what the rows, of length 1, may leave together where constraints contradict each other a little.
-  /// `only_drivers_read_time`: as in mechanisms of bodies; then stairs are known, and used where m = n.
+  /// `slack`: what the rows, of length 1, may leave together where constraints contradict each
+  /// other a little.
+  /// `only_drivers_read_time`: as in mechanisms of bodies; then stairs are known, and used where m
+  /// = n.
   Curve(const Phi& phi, CurveScale scale, double slack = 0, bool only_drivers_read_time = false);
 
   Eigen::VectorXd point(const Eigen::VectorXd& q, double t) const;
@@ -54,7 +57,8 @@ class Curve {
   CurvePoint begin(const Eigen::VectorXd& y) const;
   /// The point y on the curve, its tangent along that of `before`.
   CurvePoint next(const Eigen::VectorXd& y, const CurvePoint& before) const;
-  /// Newton's method from y to the curve's point in the plane normal.y = offset; nullopt where it does not converge.
+  /// Newton's method from y to the curve's point in the plane normal.y = offset; nullopt where it
+  /// does not converge.
   std::optional<Eigen::VectorXd> corrected(Eigen::VectorXd y, const Eigen::VectorXd& normal,
                                            double offset) const;
 

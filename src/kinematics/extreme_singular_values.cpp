@@ -23,10 +23,12 @@ constexpr Index kSmall = 2;
 constexpr double kStandstill = 1e-13;
 // Of the largest one, which a condition number is made of.
 constexpr double kRoughStandstill = 1e-6;
-// Inverse iterations that tell an order of magnitude, and how far above a bound it is beyond doubt then.
+// Inverse iterations that tell an order of magnitude, and how far above a bound it is beyond doubt
+// then.
 constexpr int kRoughIterations = 2;
 constexpr double kFarAbove = 1e3;
-// Looks at the eigenvalues of the tridiagonal matrix, which cost more than a step, are so many steps apart, or a part of all steps.
+// Looks at the eigenvalues of the tridiagonal matrix, which cost more than a step, are so many
+// steps apart, or a part of all steps.
 constexpr Index kLooks = 3;
 
 /// A start with a part in every direction, the same for every call.
@@ -36,7 +38,8 @@ VectorXd start_vector(Index n) {
   return v.normalized();
 }
 
-/// The largest eigenvalue of the symmetric operator on n coordinates; nullopt where it is no number.
+/// The largest eigenvalue of the symmetric operator on n coordinates; nullopt where it is no
+/// number.
 template <class Operator>
 std::optional<double> largest_eigenvalue(const Operator& apply, Index n, double standstill) {
   MatrixXd Q(n, n);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Damped steps (Levenberg, Marquardt): less damping behind a step that helps, more behind one that does not.
+// Damped steps (Levenberg, Marquardt): less damping behind a step that helps, more behind one that
+// does not.
 #include "moivre/kinematics/least_squares.h"
 
 #include <Eigen/Cholesky>

@@ -19,8 +19,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Of the longest row or column. Applied to rows and columns it lifts rounding noise (1e-16) to 1e-10 at most, which
-// kRankTolerance still takes for zero.
+// Of the longest row or column. Applied to rows and columns it lifts rounding noise (1e-16) to
+// 1e-10 at most, which kRankTolerance still takes for zero.
 constexpr double kLengthFloor = 1e-3;
 
 void scale_rows(MatrixXd& A) {
@@ -53,7 +53,8 @@ LinearMethod natural_method(Index rows, Index columns, Index rank) {
   return LinearMethod::svd;
 }
 
-/// Whether an equilibrated matrix is far from losing rank, where stairs make that cheaper to know than its pivots.
+/// Whether an equilibrated matrix is far from losing rank, where stairs make that cheaper to know
+/// than its pivots.
 bool has_surely_full_rank(const MatrixXd& equilibrated) {
   constexpr Index kStairsPay = 16;
   const MatrixXd tall = equilibrated.rows() >= equilibrated.cols()

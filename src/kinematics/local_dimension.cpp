@@ -18,14 +18,15 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Two steps: a set that turns back before the longer one is met by the shorter. Beside an isolated pose of multiplicity 7
-// Phi stays near 0.02^7 = 1e-12 of its terms, above rounding.
+// Two steps: a set that turns back before the longer one is met by the shorter. Beside an isolated
+// pose of multiplicity 7 Phi stays near 0.02^7 = 1e-12 of its terms, above rounding.
 constexpr double kSteps[] = {0.1, 0.02};
 constexpr double kOnTheSet = 1e-13;  // |Phi_i| beside the length of its row at the pose
 constexpr double kNeighbourhood =
     10;  // steps: a pose further away is not the neighbour that is looked for
 constexpr int kMaximumIterations = 60;
-// Where motions cross, the null space is wider than each of them: a start near each is a matter of luck.
+// Where motions cross, the null space is wider than each of them: a start near each is a matter of
+// luck.
 constexpr int kStarts = 8;
 constexpr double kWander = 2;  // steps
 constexpr double kFaintRow =
@@ -54,7 +55,8 @@ class Slicing {
   }
 
  private:
-  /// d x n: random orthonormal directions in the null space, where a set of poses would lie; planes stand across them.
+  /// d x n: random orthonormal directions in the null space, where a set of poses would lie; planes
+  /// stand across them.
   MatrixXd planes(Index d, int slice) const {
     const Index k = null_space_.cols();
     MatrixXd C(k, d);
@@ -74,7 +76,8 @@ class Slicing {
     return false;
   }
 
-  /// A point of the planes in the null space N of Phi_q: N c with A N c = step, the rest of c at random.
+  /// A point of the planes in the null space N of Phi_q: N c with A N c = step, the rest of c at
+  /// random.
   VectorXd start_on(const MatrixXd& A, double step, int number) const {
     const MatrixXd AN = A * null_space_;
     VectorXd wander(null_space_.cols());
@@ -124,7 +127,8 @@ LocalDimension local_dimension(const Phi& phi, const VectorXd& q, double t, std:
     return {tangent, "the constraints are independent at a pose, and fewer than the coordinates"};
   }
   const Slicing slicing(phi, q, t, seed);
-  // In units of their own rows and coordinates constraints may be independent where they are not as they stand.
+  // In units of their own rows and coordinates constraints may be independent where they are not as
+  // they stand.
   for (Index d = std::min(tangent, slicing.directions()); d > 0; --d) {
     for (const double step : kSteps) {
       if (slicing.meets(d, step)) {

@@ -10,7 +10,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// The polynomial in tau = sigma^(1 / order) through the points from `first` to `last`, at tau = 0. Its doubt is that by rounding.
+/// The polynomial in tau = sigma^(1 / order) through the points from `first` to `last`, at tau = 0.
+/// Its doubt is that by rounding.
 Meeting at_zero(const std::vector<CurvePoint>& points, std::size_t first, std::size_t last,
                 int order) {
   // A point is known to this over sigma.
@@ -28,7 +29,8 @@ Meeting at_zero(const std::vector<CurvePoint>& points, std::size_t first, std::s
   return meeting;
 }
 
-/// The last point, and before it those of at least 1 / kFallen times the sigma of the next: the differences of nearer ones are rounding.
+/// The last point, and before it those of at least 1 / kFallen times the sigma of the next: the
+/// differences of nearer ones are rounding.
 std::vector<CurvePoint> spread(const std::vector<CurvePoint>& approach) {
   constexpr double kFallen = 0.7;
   std::vector<CurvePoint> points{approach.back()};
@@ -39,8 +41,8 @@ std::vector<CurvePoint> spread(const std::vector<CurvePoint>& approach) {
   return points;
 }
 
-/// The meeting that a few points up to `last` point to. Points far off do not show sigma's shape: the doubt is what the first of them
-/// changes. Points near by are known to 1e-16 / sigma only.
+/// The meeting that a few points up to `last` point to. Points far off do not show sigma's shape:
+/// the doubt is what the first of them changes. Points near by are known to 1e-16 / sigma only.
 Meeting meeting_from(const std::vector<CurvePoint>& points, std::size_t last, int order) {
   // Sigma is halved from point to point, so that more of them change nothing in double.
   constexpr std::size_t kPoints = 8;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is mobility counted? Rank twice, redundant rows by projection on the rows before them, neighbours by a step along R.
+// How is mobility counted? Rank twice, redundant rows by projection on the rows before them,
+// neighbours by a step along R.
 #include "moivre/kinematics/mobility.h"
 
 #include <Eigen/Core>
@@ -84,8 +85,9 @@ std::vector<IdleFreedom> idle_freedoms(const Phi& phi, const MatrixXd& rows, dou
   return found;
 }
 
-/// The largest rank at assembled poses next to q. Each coordinate that R moves is held a step away (both ways) while
-/// Newton assembles the others: without holding one, Newton would fall back onto a singular q.
+/// The largest rank at assembled poses next to q. Each coordinate that R moves is held a step away
+/// (both ways) while Newton assembles the others: without holding one, Newton would fall back onto
+/// a singular q.
 Index rank_next_to(const Phi& joints, const VectorXd& q, double t, const Mobility& m, double fit) {
   constexpr double kMoves = 1e-2;  // share of a coordinate in R below which it hardly moves
   const double step = kNeighbourStep * std::max(1.0, q.lpNorm<Eigen::Infinity>());

@@ -23,7 +23,8 @@ using Eigen::VectorXd;
 constexpr double kEscape = 1e9;          // times the guess's size: nothing assembles out there
 constexpr double kStandstill = 1e-12;    // step beside q: the run has come to rest
 constexpr double kRestResidual = 1e-12;  // |Phi_i| beside its scale: rounding, for a run at rest
-// Where rows are given up as dependent, they may be short links beside long ones: only rounding itself is zero there.
+// Where rows are given up as dependent, they may be short links beside long ones: only rounding
+// itself is zero there.
 constexpr double kRestResidualOfLostRows = 64 * std::numeric_limits<double>::epsilon();
 constexpr double kReturn = 1e-9;  // distance beside q at which an earlier iterate has come back
 constexpr double kMoving = 1e-6;  // step beside q: a cycle's steps are larger than this
@@ -70,8 +71,8 @@ NewtonIteration measured(const Phi& phi, const VectorXd& q, double t) {
   return row;
 }
 
-/// The row of an iterate. A row of Phi whose terms are all rounding noise has no scale of its own: where noise alone
-/// keeps an iterate from passing, it is taken without the noise.
+/// The row of an iterate. A row of Phi whose terms are all rounding noise has no scale of its own:
+/// where noise alone keeps an iterate from passing, it is taken without the noise.
 NewtonIteration look(const Phi& phi, const VectorXd& q, double t, const NewtonOptions& options) {
   NewtonIteration row = measured(phi, q, t);
   if (!q.allFinite() || row.scaled_residual <= options.residual_tolerance) return row;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is noise taken off a pose? One largest size for the lengths, one for the angles; at the origin, where a pose is all noise, those of
-// the mechanism.
+// How is noise taken off a pose? One largest size for the lengths, one for the angles; at the
+// origin, where a pose is all noise, those of the mechanism.
 #include "noise.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which coordinates of a pose are rounding noise? Those that vanish beside the mechanism: its lengths, or a radian.
+// Which coordinates of a pose are rounding noise? Those that vanish beside the mechanism: its
+// lengths, or a radian.
 #pragma once
 
 #include <vector>
@@ -8,8 +9,8 @@
 
 namespace moivre {
 
-/// q with 0 for each coordinate below a few roundings of the largest of its kind, the mechanism's length and a radian among them; those in
-/// `held` stay.
+/// q with 0 for each coordinate below a few roundings of the largest of its kind, the mechanism's
+/// length and a radian among them; those in `held` stay.
 Eigen::VectorXd without_noise(const Phi& phi, const Eigen::VectorXd& q,
                               const std::vector<Eigen::Index>& held = {});
 

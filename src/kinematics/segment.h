@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What lies between two neighbouring points of a curve? Interpolation, the point in a plane across, the place of a sign change.
+// What lies between two neighbouring points of a curve? Interpolation, the point in a plane across,
+// the place of a sign change.
 #pragma once
 
 #include <functional>
@@ -27,7 +28,8 @@ Slopes slopes_at_end(const Segment& segment);
 /// Quintic through both points with their tangents and curvatures.
 Eigen::VectorXd interpolated(const Segment& segment, double x);
 
-/// The x where the interpolation's time is `time`, which lies between those of a and b (time growing all the way).
+/// The x where the interpolation's time is `time`, which lies between those of a and b (time
+/// growing all the way).
 double place_of_time(const Segment& segment, double time);
 
 /// The curve's point at x; nullopt where it cannot be corrected.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// dq/dp from one factorization; what is left over of a right-hand side tells whether the mechanism still closes.
+// dq/dp from one factorization; what is left over of a right-hand side tells whether the mechanism
+// still closes.
 #include "moivre/kinematics/sensitivity.h"
 
 #include <Eigen/Core>
@@ -16,11 +17,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// What least squares leave over, beside the right-hand side. A pose is known to about 1e-13, and so is what its constraints span
-// where they are well conditioned; a dimension that a spare constraint holds leaves a share of order 1.
+// What least squares leave over, beside the right-hand side. A pose is known to about 1e-13, and so
+// is what its constraints span where they are well conditioned; a dimension that a spare constraint
+// holds leaves a share of order 1.
 constexpr double kLeftOver = 1e-7;
 
-/// Lengths of the rows, so that a row that compares angles counts like one of lengths; no less than a thousandth of the longest.
+/// Lengths of the rows, so that a row that compares angles counts like one of lengths; no less than
+/// a thousandth of the longest.
 VectorXd row_lengths(const MatrixXd& A) {
   constexpr double kFloor = 1e-3;
   const VectorXd lengths = A.rowwise().norm();
@@ -28,7 +31,8 @@ VectorXd row_lengths(const MatrixXd& A) {
   return lengths.cwiseMax(longest > 0 ? kFloor * longest : 1);
 }
 
-// A double root that is right to rounding is off by the root of that, and so is Phi_q at a dead point, beside its largest pivot.
+// A double root that is right to rounding is off by the root of that, and so is Phi_q at a dead
+// point, beside its largest pivot.
 constexpr double kHalfTheDigits = 1e-6;
 
 Index rank_within(const MatrixXd& A, double tolerance) {

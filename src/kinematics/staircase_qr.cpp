@@ -15,7 +15,8 @@ using Eigen::VectorXd;
 
 std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
-/// The columns that rows join to `start`, and those that are joined to these, and so on; marked in `is_taken`.
+/// The columns that rows join to `start`, and those that are joined to these, and so on; marked in
+/// `is_taken`.
 std::vector<Index> joined_columns(const Pattern& rows, const Pattern& columns, Index start,
                                   std::vector<bool>& is_taken) {
   std::vector<Index> order{start};
@@ -147,7 +148,8 @@ void StaircaseQr::factorize(const Entry& entry) {
   for (Index k = 0; k < factors_.cols(); ++k) eliminate(k);
 }
 
-/// One reflection, of the rows that have something in column k. Stairs are narrow: plain loops are the fastest.
+/// One reflection, of the rows that have something in column k. Stairs are narrow: plain loops are
+/// the fastest.
 void StaircaseQr::eliminate(Index k) {
   const Index below = this->below(k);
   const Index wide = width(k);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // How is a QR factorization of a mechanism's Jacobian made at the cost of what is not zero in it?
 //
-// A constraint reads the coordinates of a few bodies. With columns in the order in which the constraints join them
-// (Cuthill and McKee), and rows by their first column, what is not zero lies in a staircase, and Householder's reflections
-// stay in it: n b^2 operations instead of n^3 for stairs b wide.
+// A constraint reads the coordinates of a few bodies. With columns in the order in which the
+// constraints join them (Cuthill and McKee), and rows by their first column, what is not zero lies
+// in a staircase, and Householder's reflections stay in it: n b^2 operations instead of n^3 for
+// stairs b wide.
 // Symbols: A m x n, m >= n; P_r A P_c = Q R; pattern: the columns of each row that may not be zero.
-// Edges: R of a matrix without full rank has zeros, or rounding, on its diagonal; nothing is pivoted, `is_regular` tells
-// exact zeros and what is no number only.
+// Edges: R of a matrix without full rank has zeros, or rounding, on its diagonal; nothing is
+// pivoted, `is_regular` tells exact zeros and what is no number only.
 // Source: [GolubVanLoan13], ch. 5 and 11.
 #pragma once
 
@@ -33,7 +34,8 @@ struct StaircaseOrder {
 };
 
 StaircaseOrder staircase_order(Pattern pattern, Eigen::Index columns);
-/// For this matrix alone. A small one stays as it is, one stair: to find an order takes longer than to do without.
+/// For this matrix alone. A small one stays as it is, one stair: to find an order takes longer than
+/// to do without.
 StaircaseOrder staircase_order(const Eigen::MatrixXd& A);
 
 class StaircaseQr {

@@ -34,7 +34,8 @@ bool is_tied_by_driver(const Mechanism& mechanism, std::size_t number) {
   });
 }
 
-/// How each freedom moves what the body has at `place`, in the ground frame: 2 x (number of freedoms).
+/// How each freedom moves what the body has at `place`, in the ground frame: 2 x (number of
+/// freedoms).
 MatrixXd displacements(std::size_t body, const Eigen::Vector3d& place, const VectorXd& q,
                        const MatrixXd& freedoms) {
   if (body == 0) return MatrixXd::Zero(2, freedoms.cols());
@@ -46,7 +47,8 @@ MatrixXd displacements(std::size_t body, const Eigen::Vector3d& place, const Vec
   return moved;
 }
 
-/// How far each freedom moves anything, roughly: an angle counts with the largest arm that a point has.
+/// How far each freedom moves anything, roughly: an angle counts with the largest arm that a point
+/// has.
 double extent_of(const Mechanism& mechanism, const MatrixXd& freedoms) {
   double arm = 0;
   for (const Body& body : mechanism.bodies) {
@@ -60,7 +62,8 @@ double extent_of(const Mechanism& mechanism, const MatrixXd& freedoms) {
   return std::sqrt(square);
 }
 
-/// Of the 2 x k displacements: the only line along which they lie; nullopt where there is none or more.
+/// Of the 2 x k displacements: the only line along which they lie; nullopt where there is none or
+/// more.
 std::optional<Vector2d> only_line(const MatrixXd& moved, double size) {
   const Matrix2d square = moved * moved.transpose();
   const double trace = square.trace();

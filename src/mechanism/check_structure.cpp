@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the file describe one mechanism? What no single entry shows: loose bodies, weld cycles, links of no length, drivers.
+// Does the file describe one mechanism? What no single entry shows: loose bodies, weld cycles,
+// links of no length, drivers.
 #include <algorithm>
 #include <numeric>
 #include <optional>
@@ -72,7 +73,8 @@ void check_size(Faults& faults, const Mechanism& mechanism) {
        "the largest length must lie between 1e-9 and 1e9; give lengths in another unit"});
 }
 
-/// Rank, null spaces and singular values are those of dense matrices: more bodies take minutes a pose.
+/// Rank, null spaces and singular values are those of dense matrices: more bodies take minutes a
+/// pose.
 void check_count(Faults& faults, const Mechanism& mechanism) {
   constexpr std::size_t kMostBodies = 300;
   if (mechanism.bodies.size() <= kMostBodies + 1) return;
@@ -195,7 +197,8 @@ bool drive_the_same(const Mechanism& mechanism, const Driver& a, const Driver& b
   return false;
 }
 
-/// An upper bound of the degrees of freedom: a tree of joints from the ground already places every body.
+/// An upper bound of the degrees of freedom: a tree of joints from the ground already places every
+/// body.
 int freedoms_at_most(const Mechanism& mechanism) {
   if (is_typed(mechanism)) return static_cast<int>(mechanism.unknowns.size());
   std::vector<const Joint*> joints;
@@ -236,7 +239,8 @@ int rows_of(const Joint& joint, Space space) {
   return (space == Space::planar ? 3 : 6) - freedoms(joint.type, space);
 }
 
-/// More constraints than coordinates, or more drivers than Gruebler's count, are odd, but redundant constraints can make it right.
+/// More constraints than coordinates, or more drivers than Gruebler's count, are odd, but redundant
+/// constraints can make it right.
 void warn_of_count(Mechanism& mechanism) {
   int naive = static_cast<int>(coordinates(mechanism).size()) -
               static_cast<int>(mechanism.equations.size());
@@ -262,7 +266,8 @@ bool is_used(const Mechanism& mechanism, std::size_t body, std::size_t point) {
   });
 }
 
-/// A pivot that nothing is tied to is a slip more often than a mark; points of moving bodies are there to be traced.
+/// A pivot that nothing is tied to is a slip more often than a mark; points of moving bodies are
+/// there to be traced.
 void warn_of_loose_pivots(Mechanism& mechanism) {
   const auto& points = mechanism.bodies[0].points;
   for (std::size_t k = 0; k < points.size(); ++k) {

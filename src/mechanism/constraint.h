@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What is one constraint of Phi? Rows that depend on few coordinates, written once for every scalar.
+// What is one constraint of Phi? Rows that depend on few coordinates, written once for every
+// scalar.
 //
-// A row formula is a generic callable rows(at, out): `at` gives coordinates and time in the scalar S, `out` takes the rows.
-// Its dimensions are Jets of the line along which it is differentiated: constants, but for the one that moves (dimension_jets.h).
+// A row formula is a generic callable rows(at, out): `at` gives coordinates and time in the scalar
+// S, `out` takes the rows.
+// Its dimensions are Jets of the line along which it is differentiated: constants, but for the one
+// that moves (dimension_jets.h).
 #pragma once
 
 #include <memory>
@@ -25,7 +28,8 @@ struct At {
   S t;
 };
 
-/// A row of Phi, and the power of a length that its value is: 2 of a rod, 1 of a displacement, 0 of an angle.
+/// A row of Phi, and the power of a length that its value is: 2 of a rod, 1 of a displacement, 0 of
+/// an angle.
 struct RowLabel {
   std::string name;
   int power = 0;
@@ -70,7 +74,8 @@ std::shared_ptr<const Constraint> make_constraint(std::vector<RowLabel> labels,
                                                     std::move(rows));
 }
 
-/// A dimension beside coordinates in the scalar S: a plain number, but for a Jet, along whose line it may move.
+/// A dimension beside coordinates in the scalar S: a plain number, but for a Jet, along whose line
+/// it may move.
 template <class S>
 auto in_scalar(const Jet& dimension) {
   if constexpr (std::is_same_v<S, Jet>) {
@@ -109,7 +114,8 @@ S signed_square(const S& length) {
   return length.f < 0 ? -(length * length) : length * length;
 }
 
-/// Indices of the coordinates of the moving ones among `bodies`; `size` coordinates a body, ground has none.
+/// Indices of the coordinates of the moving ones among `bodies`; `size` coordinates a body, ground
+/// has none.
 inline std::vector<std::size_t> coordinates_of(const std::vector<std::size_t>& bodies,
                                                std::size_t size) {
   std::vector<std::size_t> indices;
@@ -122,7 +128,8 @@ inline std::vector<std::size_t> coordinates_of(const std::vector<std::size_t>& b
 
 struct Dimension;
 
-/// The joint's rows, the driver's row. `moving`: the dimension that changes at rate 1 along the line; null where none does.
+/// The joint's rows, the driver's row. `moving`: the dimension that changes at rate 1 along the
+/// line; null where none does.
 std::shared_ptr<const Constraint> joint_constraint(const Mechanism& mechanism, const Joint& joint,
                                                    const Dimension* moving = nullptr);
 std::shared_ptr<const Constraint> driver_constraint(const Mechanism& mechanism,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is a dimension along a line on which one of them moves? A Jet: its value, and 1 as first derivative where it is the one.
+// What is a dimension along a line on which one of them moves? A Jet: its value, and 1 as first
+// derivative where it is the one.
 //
 // `moving` is null where none moves; joints and drivers are those of the mechanism, by reference.
 #pragma once

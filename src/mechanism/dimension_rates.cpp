@@ -56,7 +56,8 @@ class PartialRows {
   PartialRows(const std::vector<Dimension>& dimensions, const VectorXd& q, double t)
       : dimensions_(dimensions), q_(moving_jets(q, VectorXd::Zero(q.size()))), t_(t) {}
 
-  /// `make(moving)` makes the constraint, `is_read(dimension)` says whether it depends on the dimension.
+  /// `make(moving)` makes the constraint, `is_read(dimension)` says whether it depends on the
+  /// dimension.
   template <class Make, class IsRead>
   void add(const Make& make, const IsRead& is_read) {
     const auto rows = static_cast<Index>(make(nullptr)->labels.size());

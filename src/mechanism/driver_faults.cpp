@@ -66,7 +66,8 @@ std::string fault_of_target(const Mechanism& mechanism, const Driver& driver) {
   return "drives nothing";
 }
 
-/// What the driver's kind does not read keeps its default, or names something that is there: whatever copies a driver renumbers it.
+/// What the driver's kind does not read keeps its default, or names something that is there:
+/// whatever copies a driver renumbers it.
 std::string fault_of_unread(const Mechanism& mechanism, const Driver& driver) {
   const std::size_t bodies = mechanism.bodies.size();
   const bool is_whole = driver.bodies[0] < bodies && driver.bodies[1] < bodies &&

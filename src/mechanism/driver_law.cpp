@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How are a driver's value and two derivatives computed? Parabola, natural cubic spline, Taylor arithmetic.
+// How are a driver's value and two derivatives computed? Parabola, natural cubic spline, Taylor
+// arithmetic.
 #include "moivre/mechanism/driver_law.h"
 
 #include <Eigen/SparseCholesky>
@@ -53,7 +54,8 @@ void require_table(const std::vector<double>& t, const std::vector<double>& valu
 
 }  // namespace
 
-// Thomas' algorithm on h_{k-1} c_{k-1} + 2 (h_{k-1} + h_k) c_k + h_k c_{k+1} = 6 (slope_k - slope_{k-1}).
+// Thomas' algorithm on h_{k-1} c_{k-1} + 2 (h_{k-1} + h_k) c_k + h_k c_{k+1} = 6 (slope_k -
+// slope_{k-1}).
 Spline natural_spline(std::vector<double> t, std::vector<double> value) {
   const std::size_t n = t.size();
   require_table(t, value, 2);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which rules does a mechanism break, and where in its file? For the reader, which has places, and for the rules, which have none.
+// Which rules does a mechanism break, and where in its file? For the reader, which has places, and
+// for the rules, which have none.
 #pragma once
 
 #include <cstdint>

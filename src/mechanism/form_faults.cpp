@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are bodies, points, unknowns and numbers of a mechanism what they must be? Joints and drivers have files of their own.
+// Are bodies, points, unknowns and numbers of a mechanism what they must be? Joints and drivers
+// have files of their own.
 #include <algorithm>
 #include <cmath>
 #include <set>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How does a typed expression become a formula? Names and functions looked up once, numbers rounded once.
+// How does a typed expression become a formula? Names and functions looked up once, numbers rounded
+// once.
 #include "moivre/mechanism/formula.h"
 
 #include <algorithm>
@@ -38,7 +39,8 @@ std::vector<std::string> known_names(const Names& names) {
   return known;
 }
 
-/// Whether a name or a function looks like a derivative: phi_dot, dot(phi), dphi_dt, dphi/dt, der(phi), diff(phi, t).
+/// Whether a name or a function looks like a derivative: phi_dot, dot(phi), dphi_dt, dphi/dt,
+/// der(phi), diff(phi, t).
 bool is_derivative(const std::string& name) {
   static const std::vector<std::string> words{"der", "diff", "deriv",    "derivative",
                                               "d",   "D",    "velocity", "acceleration",

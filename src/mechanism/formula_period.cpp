@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is an angle known by its place on the circle alone? Where an unknown stands in a formula, and with which factors.
+// Is an angle known by its place on the circle alone? Where an unknown stands in a formula, and
+// with which factors.
 #include <algorithm>
 #include <cmath>
 #include <optional>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where does Newton's method start? In the drawn pose where that closes, else with bodies placed joint by joint from the ground outwards, at
-// guessed or driven angles; slides that nothing drives stand as drawn.
+// Where does Newton's method start? In the drawn pose where that closes, else with bodies placed
+// joint by joint from the ground outwards, at guessed or driven angles; slides that nothing drives
+// stand as drawn.
 #include <Eigen/Geometry>
 
 #include "moivre/mechanism/drawn_pose.h"
@@ -33,7 +34,8 @@ class Placement {
     poses_[0].is_placed = true;
   }
 
-  /// Ring by ring: bodies at the ground first, then those at them. Actuators place what nothing else does.
+  /// Ring by ring: bodies at the ground first, then those at them. Actuators place what nothing
+  /// else does.
   std::vector<Pose> place_all() {
     while (place_ring(false) || place_ring(true)) {
     }
@@ -109,7 +111,8 @@ class Placement {
     return base * (end == 0 ? relative : Eigen::Matrix3d(relative.transpose()));
   }
 
-  /// From the point that stands to the one that is placed: as far apart as driven or as long, along the joint's line.
+  /// From the point that stands to the one that is placed: as far apart as driven or as long, along
+  /// the joint's line.
   Eigen::Vector3d gap_along_line(const Joint& joint, std::size_t end,
                                  const Eigen::Matrix3d& R) const {
     double apart = driven(joint).slide.value_or(0);
@@ -118,7 +121,8 @@ class Placement {
                     : Eigen::Vector3d(-apart * R * joint.axis[0]);
   }
 
-  /// The same as it is drawn, turned with the body that stands; a length or a slide that is given counts.
+  /// The same as it is drawn, turned with the body that stands; a length or a slide that is given
+  /// counts.
   Eigen::Vector3d drawn_gap(const Joint& joint, std::size_t end) const {
     const Eigen::Vector3d drawn = point(joint.at[1 - end]) - point(joint.at[end]);
     const Eigen::Matrix3d& base = poses_[joint.at[end].body].R;
@@ -133,7 +137,8 @@ class Placement {
     return base * (drawn + (sign * *length - drawn.dot(along)) * along);
   }
 
-  /// The body at the other end of `joint`, so that the joint's points meet (or stand as far apart as driven or as long).
+  /// The body at the other end of `joint`, so that the joint's points meet (or stand as far apart
+  /// as driven or as long).
   Pose placed(const Joint& joint, std::size_t end) const {
     const PointOf& here = joint.at[end];
     const PointOf& there = joint.at[1 - end];

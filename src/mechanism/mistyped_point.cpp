@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does one body have a shared point elsewhere than all the others? In a file typed from one drawing that is a slip of the hand.
+// Does one body have a shared point elsewhere than all the others? In a file typed from one drawing
+// that is a slip of the hand.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -38,7 +39,8 @@ std::vector<Meeting> meetings_of(const Mechanism& mechanism) {
   return all;
 }
 
-/// Whether the points of all joints away from `p` agree, some of them not as origins of two frames, and to a tenth of what `p` is off.
+/// Whether the points of all joints away from `p` agree, some of them not as origins of two frames,
+/// and to a tenth of what `p` is off.
 bool agree_elsewhere(const Mechanism& mechanism, const std::vector<Meeting>& meetings,
                      const PointOf& p, double off) {
   constexpr double kOutlier = 10;

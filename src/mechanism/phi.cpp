@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is Phi put together and differentiated? Constraints evaluated in Taylor arithmetic along lines of (q, t).
+// How is Phi put together and differentiated? Constraints evaluated in Taylor arithmetic along
+// lines of (q, t).
 #include "moivre/mechanism/phi.h"
 
 #include <algorithm>
@@ -91,7 +92,8 @@ void require_size(const VectorXd& q, Index n) {
 
 bool is_length(const Coordinate& coordinate) { return coordinate.kind == CoordinateKind::length; }
 
-/// How fast each row changes at most when one body (or unknown) is displaced; 0 for a row that compares angles.
+/// How fast each row changes at most when one body (or unknown) is displaced; 0 for a row that
+/// compares angles.
 VectorXd rates_by_displacement(const Phi& phi, const VectorXd& q, double t) {
   MatrixXd J = phi.jacobian(q, t);
   MatrixXd squares = MatrixXd::Zero(J.rows(), static_cast<Index>(phi.group_names().size()));

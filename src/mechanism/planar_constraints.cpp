@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Which equations does a planar joint or driver add to Phi? One formula a joint, in q = [x, y, phi] a body.
+// Which equations does a planar joint or driver add to Phi? One formula a joint, in q = [x, y, phi]
+// a body.
 //
 // Rows of the joint's place, then of its turn (joint_type.h):
 //   at point     r_i + A_i a - r_j - A_j b = 0
 //   on line      n . (B - A) = 0               n perpendicular to the line, fixed in body i
-//   at distance  (A - B) . (A - B) - L^2 = 0; a driven actuator: L |L|, so that no length is below 0
+//   at distance  (A - B) . (A - B) - L^2 = 0; a driven actuator: L |L|, so that no length is below
+//                0
 //   not at all   phi_j - phi_i - turn = 0
 //   by rack      phi_j - phi_i - phase - s / r = 0, s = e . (B - A)
-//   by cam       s - f(phi_i - phi_c - phase) = 0, or phi_j - phi_c - f = 0: f the profile, c the carrier
-//   geared       z_i (phi_i - phi_c) - z_j (phi_j - phi_c - phase) = 0, teeth divided by their common factor
+//   by cam       s - f(phi_i - phi_c - phase) = 0, or phi_j - phi_c - f = 0: f the profile, c the
+//                carrier
+//   geared       z_i (phi_i - phi_c) - z_j (phi_j - phi_c - phase) = 0, teeth divided by their
+//                common factor
 #include <numeric>
 
 #include "dimension_jets.h"

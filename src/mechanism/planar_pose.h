@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where is a point of a planar body? Pose q_b = [x, y, phi], point r + A(phi) s, in the scalar of the coordinates.
+// Where is a point of a planar body? Pose q_b = [x, y, phi], point r + A(phi) s, in the scalar of
+// the coordinates.
 #pragma once
 
 #include <Eigen/Core>

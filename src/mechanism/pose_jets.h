@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where are points and joints along a line of (q, t), on which a dimension may move too (dimension_jets.h)? In Jets, for every space.
+// Where are points and joints along a line of (q, t), on which a dimension may move too
+// (dimension_jets.h)? In Jets, for every space.
 #pragma once
 
 #include <optional>
@@ -25,7 +26,8 @@ inline spatial::Vector<Jet> direction_jet(const Mechanism& mechanism, std::size_
   return {e.x, e.y, Jet(0)};
 }
 
-/// Displacement of the joint's second point along its line; its distance from the first where there is no line.
+/// Displacement of the joint's second point along its line; its distance from the first where there
+/// is no line.
 inline Jet joint_slide_jet(const Mechanism& mechanism, const Joint& joint, const At<Jet>& at,
                            const Dimension* moving = nullptr) {
   const auto gap = position_jet(mechanism, joint.at[1], at, moving) -
@@ -46,7 +48,8 @@ inline Jet joint_turn_jet(const Mechanism& mechanism, const Joint& joint, const 
                spatial::dot(direction_jet(mechanism, first, frame.col(0), at), shown));
 }
 
-/// The joint's coordinate: its slide where it has one, else its angle; none of a joint that has neither.
+/// The joint's coordinate: its slide where it has one, else its angle; none of a joint that has
+/// neither.
 inline std::optional<Jet> joint_jet(const Mechanism& mechanism, const Joint& joint,
                                     const At<Jet>& at, const Dimension* moving = nullptr) {
   if (has_slide(joint.type)) return joint_slide_jet(mechanism, joint, at, moving);

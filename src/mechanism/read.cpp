@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a mechanism file read? TOML first, then section by section, every fault noted, thrown together.
+// How is a mechanism file read? TOML first, then section by section, every fault noted, thrown
+// together.
 #include "moivre/mechanism/read.h"
 
 #include <algorithm>
@@ -57,7 +58,8 @@ bool has_places(const toml::table& table) {
   });
 }
 
-/// Advice on tables of points that are no [body.NAME.points], where no known key was meant; [points] alone is nobody's.
+/// Advice on tables of points that are no [body.NAME.points], where no known key was meant;
+/// [points] alone is nobody's.
 std::map<std::string, std::string> bodies_called(const toml::table& document,
                                                  const std::vector<std::string>& known) {
   std::map<std::string, std::string> called;
@@ -77,7 +79,8 @@ std::map<std::string, std::string> bodies_called(const toml::table& document,
   return called;
 }
 
-/// The section of the first point where every point of the file has three coordinates; nullptr elsewhere.
+/// The section of the first point where every point of the file has three coordinates; nullptr
+/// elsewhere.
 const toml::node* drawn_in_space(const toml::table& document) {
   std::vector<const toml::table*> sections{document["ground"]["points"].as_table()};
   if (const toml::table* bodies = document["body"].as_table()) {
@@ -164,7 +167,8 @@ void read_sections(Reading& reading, const toml::table& document, Mechanism& mec
                                std::string(error.description()))});
 }
 
-/// The TOML parser calls itself for each part of a dotted key: as deep as for brackets, and no deeper.
+/// The TOML parser calls itself for each part of a dotted key: as deep as for brackets, and no
+/// deeper.
 void refuse_deep_keys(const Source& source) {
   constexpr std::ptrdiff_t kDeepest = 256;
   std::size_t begin = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A side file is read as a part of the mechanism that it is added to, and written in that one's frames.
+// A side file is read as a part of the mechanism that it is added to, and written in that one's
+// frames.
 #include <algorithm>
 #include <charconv>
 #include <sstream>
@@ -177,7 +178,8 @@ void read_more_guess(Reading& reading, const toml::table& document, Mechanism& m
   if (!additions.guess.empty()) additions.guess = "\n[guess]\n" + additions.guess;
 }
 
-/// Faults of the whole are told at the first line of the side file where the mechanism itself has them.
+/// Faults of the whole are told at the first line of the side file where the mechanism itself has
+/// them.
 void forget_places(Mechanism& mechanism) {
   for (Body& body : mechanism.bodies) body.where = {};
   for (Joint& joint : mechanism.joints) joint.where = {};

@@ -323,7 +323,8 @@ void read_ratio(Reading& reading, const toml::table& entry, Joint& joint) {
   }
 }
 
-/// Whole numbers in the ratio of two decimals, without a common factor; nothing where one would be more than kMostTeeth.
+/// Whole numbers in the ratio of two decimals, without a common factor; nothing where one would be
+/// more than kMostTeeth.
 std::optional<std::array<int, 2>> whole_ratio(double a, double b) {
   constexpr double kFinestDecimal = 1e9;
   constexpr double kRounding = 1e-15;

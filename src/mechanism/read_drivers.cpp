@@ -295,7 +295,8 @@ void collect_guess(Reading& reading, const toml::table& in, const std::string& p
   }
 }
 
-/// Angle of the body in the drawn pose, whole turns counted: driven, or guessed; nothing where neither says.
+/// Angle of the body in the drawn pose, whole turns counted: driven, or guessed; nothing where
+/// neither says.
 std::optional<double> drawn_angle(const Mechanism& mechanism, std::size_t body) {
   if (body == 0) return 0;
   for (const Driver& driver : mechanism.drivers) {
@@ -306,7 +307,8 @@ std::optional<double> drawn_angle(const Mechanism& mechanism, std::size_t body) 
   return found == mechanism.guess.end() ? std::nullopt : std::optional(found->second);
 }
 
-/// Of the ways in which its teeth mesh, a gear without a phase has the one nearest to the drawn pose: a phase of whole teeth.
+/// Of the ways in which its teeth mesh, a gear without a phase has the one nearest to the drawn
+/// pose: a phase of whole teeth.
 void take_drawn_meshing(Joint& joint, const Mechanism& mechanism) {
   if (traits(joint.type).turn != JointTurn::geared || joint.gear.phase_rad != 0) return;
   const auto i = drawn_angle(mechanism, joint.at[0].body);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How are typed equations parsed? Both sides of an equals sign, inequalities and derivatives refused with the reason.
+// How are typed equations parsed? Both sides of an equals sign, inequalities and derivatives
+// refused with the reason.
 #include "read_formula.h"
 
 #include "refusals.h"

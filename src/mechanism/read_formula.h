@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How does a string of the file become a formula? Parsed and resolved, its faults at their place in the file.
+// How does a string of the file become a formula? Parsed and resolved, its faults at their place in
+// the file.
 #pragma once
 
 #include "toml_reading.h"
 
 namespace moivre {
 
-/// What is refused in an equation before it is parsed: inequalities, primes. Returns whether there was one.
+/// What is refused in an equation before it is parsed: inequalities, primes. Returns whether there
+/// was one.
 bool refuse_constraint(Reading& reading, const toml::node& node, const std::string& text);
 
 /// `text`, or `left = right` as left - right, parsed; nothing and faults where it cannot be.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which reader fills which part of a Mechanism? One function a section of the file; all note faults in the Reading.
+// Which reader fills which part of a Mechanism? One function a section of the file; all note faults
+// in the Reading.
 #pragma once
 
 #include "moivre/mechanism/mechanism.h"
@@ -29,9 +30,11 @@ void read_drivers(Reading& reading, const toml::table& document, Mechanism& mech
 /// [guess]
 void read_guess(Reading& reading, const toml::table& document, Mechanism& mechanism);
 
-/// Faults that no single entry shows: bodies that nothing holds, cycles of welds, links of no length, too many drivers.
+/// Faults that no single entry shows: bodies that nothing holds, cycles of welds, links of no
+/// length, too many drivers.
 void check_structure(Reading& reading, Mechanism& mechanism);
-/// A warning where one body has a shared point elsewhere than the others, in a file typed from one drawing.
+/// A warning where one body has a shared point elsewhere than the others, in a file typed from one
+/// drawing.
 void warn_of_mistyped_point(Mechanism& mechanism);
 
 /// The body's number; nothing and a fault at `at` where there is none of that name.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How are the tolerances of a body's points read? One for all of them, one a point, or one a coordinate.
+// How are the tolerances of a body's points read? One for all of them, one a point, or one a
+// coordinate.
 //
 //   [body.crank]             tolerance = 0.02
 //   [body.crank.tolerances]  A = 0.01          or A = [0.01, 0]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is said of constraints that do not hold a mechanism: on velocities, and one-sided ones. Each goes on from what was typed.
+// What is said of constraints that do not hold a mechanism: on velocities, and one-sided ones. Each
+// goes on from what was typed.
 #pragma once
 
 namespace moivre {

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: MIT
-// Which equations does a spatial joint or driver add to Phi? One formula a joint, in q = [x, y, z, rotation vector] a body.
+// Which equations does a spatial joint or driver add to Phi? One formula a joint, in q = [x, y, z,
+// rotation vector] a body.
 //
-// Let p = conj(frame_i) conj(q_i) q_j frame_j be the turn of body j's joint frame (z = axis) in body i's, a quaternion.
+// Let p = conj(frame_i) conj(q_i) q_j frame_j be the turn of body j's joint frame (z = axis) in
+// body i's, a quaternion.
 // Rows of the joint's place, then of its turn (joint_type.h):
 //   at point     A - B = 0
-//   on line      (B - A) . u = (B - A) . w = 0       u, w perpendicular to the axis, fixed in body i
+//   on line      (B - A) . u = (B - A) . w = 0       u, w perpendicular to the axis, fixed in body
+//                i
 //   in plane     (B - A) . axis = 0
 //   at distance  (A - B) . (A - B) - L^2 = 0
 //   about axis   p_x = p_y = 0                       a turn about the axis: no reversed axis
-//   by thread    p_x = p_y = 0, 2 pi s / P - a = 0 but for whole turns       s slide, a angle, P pitch
+//   by thread    p_x = p_y = 0, 2 pi s / P - a = 0 but for whole turns       s slide, a angle, P
+//                pitch
 //   not at all   p_x = p_y = p_z = 0 for the turned frame
 //   about two axes   a_i . a_j = 0
-// s = (B - A) . axis, a = 2 atan2(p_z, p_w). Components of p are doubled, so that a row is an angle to first order. A driver of a
-// screw's angle prescribes its slide, P / 2 pi times the angle, so that whole turns count.
+// s = (B - A) . axis, a = 2 atan2(p_z, p_w). Components of p are doubled, so that a row is an angle
+// to first order. A driver of a screw's angle prescribes its slide, P / 2 pi times the angle, so
+// that whole turns count.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <map>
@@ -26,7 +31,8 @@
 namespace moivre {
 namespace spatial {
 
-// Below the bound the Taylor series of nine terms is exact to rounding; above it the quotients lose no more than a digit.
+// Below the bound the Taylor series of nine terms is exact to rounding; above it the quotients lose
+// no more than a digit.
 std::array<double, 3> sine_quotient(double u) {
   constexpr double kSeriesBound = 0.25;
   if (u > kSeriesBound) {
@@ -83,7 +89,8 @@ struct JointFrame {
   Quaternion<Jet> turn;
 };
 
-/// The frame turned about its own third column by an angle that grows at `rate`: its columns and its quaternion change with it.
+/// The frame turned about its own third column by an angle that grows at `rate`: its columns and
+/// its quaternion change with it.
 JointFrame joint_frame_jet(const Eigen::Matrix3d& frame, double rate) {
   const Eigen::Vector3d x = frame.col(0), y = frame.col(1), z = frame.col(2);
   const auto moving = [](const Eigen::Vector3d& v, const Eigen::Vector3d& d) {

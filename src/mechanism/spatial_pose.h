@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where is a point of a spatial body? Pose q_b = [x, y, z, rotation vector], by a unit quaternion inside.
+// Where is a point of a spatial body? Pose q_b = [x, y, z, rotation vector], by a unit quaternion
+// inside.
 //
-// The rotation vector v turns by |v| about v; its quaternion (cos |v|/2, v sin(|v|/2)/|v|) has norm 1 by construction
-// and is smooth at v = 0. The map is singular at |v| = 2 pi only; Phi::canonical keeps |v| <= pi.
+// The rotation vector v turns by |v| about v; its quaternion (cos |v|/2, v sin(|v|/2)/|v|) has norm
+// 1 by construction and is smooth at v = 0. The map is singular at |v| = 2 pi only; Phi::canonical
+// keeps |v| <= pi.
 #pragma once
 
 #include <Eigen/Core>
@@ -109,7 +111,8 @@ Vector<S> position(const At<S>& at, std::size_t body, const Vector<Jet>& s) {
   return Vector<S>{at.q[k], at.q[k + 1], at.q[k + 2]} + offset;
 }
 
-/// A joint's frame in a body: z along the axis, x by a fixed rule (so equal axes make equal frames).
+/// A joint's frame in a body: z along the axis, x by a fixed rule (so equal axes make equal
+/// frames).
 Eigen::Matrix3d axis_frame(const Eigen::Vector3d& axis);
 
 }  // namespace moivre::spatial

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bodies joined to groups that do not turn apart, the groups that hang between two balls, and those whose joints share an axis.
+// Bodies joined to groups that do not turn apart, the groups that hang between two balls, and those
+// whose joints share an axis.
 #include "moivre/mechanism/spins.h"
 
 #include <Eigen/Geometry>
@@ -12,7 +13,8 @@
 namespace moivre {
 namespace {
 
-// Axes that miss each other by this part of the distance of their points are meant to be one, or by what rounding leaves of coordinates.
+// Axes that miss each other by this part of the distance of their points are meant to be one, or by
+// what rounding leaves of coordinates.
 constexpr double kMeet = 1e-11;
 constexpr double kRounding = 1e-15;
 
@@ -136,7 +138,8 @@ class SpinFinder {
            });
   }
 
-  /// Whether the joint is the same for a body that has turned about this line of it. In another body of the group it is not asked.
+  /// Whether the joint is the same for a body that has turned about this line of it. In another
+  /// body of the group it is not asked.
   bool lets_turn(const End& end, const PointOf& at, const Eigen::Vector3d& along) const {
     const Joint& joint = mechanism_.joints[end.joint];
     const PointOf& point = joint.at[end.number];

@@ -73,7 +73,8 @@ std::string comment_advice(const Stop& stop) {
   return is_comment ? "; comments begin with #" : "";
 }
 
-/// Where a number goes on with something that is none of it: an operator, a decimal comma or a unit.
+/// Where a number goes on with something that is none of it: an operator, a decimal comma or a
+/// unit.
 std::string number_advice(const Stop& stop) {
   if (stop.says("leading zeroes")) return "; a number has no zeros in front: 7, not 007";
   const char c = stop.here();
@@ -98,7 +99,8 @@ std::string number_advice(const Stop& stop) {
   return is_word ? "; numbers stand without a unit, [units] says it once for the whole file" : "";
 }
 
-/// Where what is read is nearly a number: two signs, two points, an exponent without digits or with a point.
+/// Where what is read is nearly a number: two signs, two points, an exponent without digits or with
+/// a point.
 std::string digits_advice(const Stop& stop) {
   constexpr std::string_view kSigns = "+-";
   constexpr std::string_view kPlain = "+-.0123456789";
@@ -142,7 +144,8 @@ std::string value_advice(const Stop& stop) {
   return "; text stands in quotes, as in title = \"...\"";
 }
 
-/// "[[joint]] has two brackets" where one pair was written for an array; empty for another name that is taken.
+/// "[[joint]] has two brackets" where one pair was written for an array; empty for another name
+/// that is taken.
 std::string bracket_advice(const Stop& stop) {
   for (const std::string name : {"joint", "driver"}) {
     if (!stop.says("'" + name + "'")) continue;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What did the typist mean where a file is no TOML? The parser's fault, with what to do about it, where the slip is.
+// What did the typist mean where a file is no TOML? The parser's fault, with what to do about it,
+// where the slip is.
 //
-// The parser notices a missing bracket only at the next line: the fault is placed at the end of the line that lacks it.
+// The parser notices a missing bracket only at the next line: the fault is placed at the end of the
+// line that lacks it.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How are values taken from a TOML table? With a fault, its place and what was expected, where they do not fit.
+// How are values taken from a TOML table? With a fault, its place and what was expected, where they
+// do not fit.
 #include "toml_reading.h"
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace moivre {
 
 namespace {
 
-/// Of a decimal number, without zeros before and behind. Other notations, 0x10, have few digits: none.
+/// Of a decimal number, without zeros before and behind. Other notations, 0x10, have few digits:
+/// none.
 std::string digits_of(const std::string& text) {
   std::string digits;
   for (const char c : text) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What stands in this TOML table? Typed look-ups that note every fault with its place instead of stopping.
+// What stands in this TOML table? Typed look-ups that note every fault with its place instead of
+// stopping.
 #pragma once
 
 #include <toml++/toml.h>
@@ -26,13 +27,15 @@ class Reading {
   SourcePosition position(const toml::source_position& at) const;
   SourcePosition position(const toml::node& node) const;
 
-  /// Faults of keys that are not `known`; `what` names the table ("a joint"), `called` has advice on words that others use.
+  /// Faults of keys that are not `known`; `what` names the table ("a joint"), `called` has advice
+  /// on words that others use.
   void check_keys(const toml::table& table, const std::vector<std::string>& known,
                   const std::string& what, const std::map<std::string, std::string>& called = {});
   /// Keys in the order of the file.
   std::vector<const toml::key*> keys_in_order(const toml::table& table) const;
 
-  /// Nothing where the key is absent; nothing and a fault where its value is of another kind (or not finite).
+  /// Nothing where the key is absent; nothing and a fault where its value is of another kind (or
+  /// not finite).
   const toml::table* table(const toml::table& in, const std::string& key);
   const toml::array* array(const toml::table& in, const std::string& key);
   std::optional<double> number(const toml::table& in, const std::string& key);
@@ -51,10 +54,12 @@ class Reading {
   /// Some number has more digits than a double holds, and was rounded.
   bool has_rounded_numbers() const { return has_rounded_numbers_; }
 
-  /// Where the characters of a string value begin in the file: behind the quote, where they stand there as they are.
+  /// Where the characters of a string value begin in the file: behind the quote, where they stand
+  /// there as they are.
   SourcePosition text_begin(const toml::node& node, const std::string& value) const;
-  /// Faults found in a string value since there were `before` of them: where the file has the string with escapes or over
-  /// several lines, places inside it are not known, and they point to its beginning.
+  /// Faults found in a string value since there were `before` of them: where the file has the
+  /// string with escapes or over several lines, places inside it are not known, and they point to
+  /// its beginning.
   void place_faults(const toml::node& node, const std::string& value, std::size_t before);
 
  private:

@@ -43,7 +43,8 @@ std::vector<BranchJoin> without_dead_points(std::vector<BranchJoin> joins) {
   return joins;
 }
 
-/// How to go through a part: joins that lead to one branch after another, from the first on, and those that close ways.
+/// How to go through a part: joins that lead to one branch after another, from the first on, and
+/// those that close ways.
 struct Ways {
   std::vector<std::array<BranchEnd, 2>> leading;
   std::vector<std::array<BranchEnd, 2>> closing;
@@ -106,7 +107,8 @@ double value_at(const Course& course, const BranchEnd& end) {
   return end.is_last ? course.last : course.first;
 }
 
-/// What a quantity has more on each branch of a part than the branch's own course says, and how often it turns on closed ways.
+/// What a quantity has more on each branch of a part than the branch's own course says, and how
+/// often it turns on closed ways.
 struct Unrolled {
   std::map<std::size_t, double> shift;
   int turns = 0;
@@ -232,7 +234,8 @@ class CircuitFinder {
     return circuit;
   }
 
-  /// In each stretch the branches are ordered by where the first driver stands; what the driver does follows from them.
+  /// In each stretch the branches are ordered by where the first driver stands; what the driver
+  /// does follows from them.
   void add_stretches(Circuit& circuit) const {
     bool turns = false;
     for (std::vector<std::size_t> part : stretches_) {

@@ -17,7 +17,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Central differences along a step, where a radian, or the mechanism's length, is 1: their error is the square.
+// Central differences along a step, where a radian, or the mechanism's length, is 1: their error is
+// the square.
 constexpr double kDifference = 1e-4;
 
 double difference(const MovingPart& quantity, double a, double b) {
@@ -132,7 +133,8 @@ Course course(const MotionBranch& branch, const MovingPart& quantity) {
   return all;
 }
 
-/// Where a driver that goes the one way at `from` and the other way at `to` turns back; nullopt where it does not.
+/// Where a driver that goes the one way at `from` and the other way at `to` turns back; nullopt
+/// where it does not.
 std::optional<double> turning_time(const DriverLaw& law, double from, double to) {
   const auto rate = [&](double time) { return driver_state(law, time).velocity; };
   if (!(rate(from) * rate(to) < 0)) return std::nullopt;

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How far does each angle and slide of a mechanism go along one branch, and where does it stand at either end?
+// How far does each angle and slide of a mechanism go along one branch, and where does it stand at
+// either end?
 //
 //   v(x) = value(q(x)), going on along the branch without jumps
-// The branch was followed by arc length, step after step (BranchPiece): between the ends of a step v is the polynomial of degree
-// five with its value, slope and bend at both, through dead points as elsewhere. Extremes are those of the polynomials, to about
-// 1e-7; samples play no part.
+// The branch was followed by arc length, step after step (BranchPiece): between the ends of a step
+// v is the polynomial of degree five with its value, slope and bend at both, through dead points as
+// elsewhere. Extremes are those of the polynomials, to about 1e-7; samples play no part.
 // Not seen: two extremes within one step.
 #pragma once
 
@@ -28,8 +29,8 @@ struct MovingPart {
 
 /// Planar: the angle of each moving body. Typed equations: each unknown.
 std::vector<MovingPart> body_quantities(const Mechanism& mechanism);
-/// Relative angles of revolutes (planar: between moving bodies, others are a body's own), and slides. The mechanism must outlive
-/// them.
+/// Relative angles of revolutes (planar: between moving bodies, others are a body's own), and
+/// slides. The mechanism must outlive them.
 std::vector<MovingPart> joint_quantities(const Mechanism& mechanism);
 
 struct Course {

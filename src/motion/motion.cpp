@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The motion: closures at checkpoints, tracks through them, both reconciled and put into the result.
+// The motion: closures at checkpoints, tracks through them, both reconciled and put into the
+// result.
 #include "moivre/motion/motion.h"
 
 #include <algorithm>

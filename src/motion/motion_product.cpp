@@ -18,7 +18,8 @@ namespace {
 
 using Eigen::VectorXd;
 
-// Over the motion, so that the curve between two samples is their velocities' and accelerations', to 1e-9 of a turn.
+// Over the motion, so that the curve between two samples is their velocities' and accelerations',
+// to 1e-9 of a turn.
 constexpr int kFewestSamples = 100;
 // Of the motion's duration: what is shorter is no branch.
 constexpr double kInstant = 1e-9;
@@ -133,7 +134,8 @@ class MotionProduct {
     return all;
   }
 
-  /// The branches with these names at `from`, one of each sub-chain; nullopt where one does not exist.
+  /// The branches with these names at `from`, one of each sub-chain; nullopt where one does not
+  /// exist.
   std::optional<BranchChoice> choice_of(const std::vector<std::string>& ids) const {
     if (ids.size() != chains_.size()) return std::nullopt;
     BranchChoice choice{{}, options_.from, options_.to};
@@ -172,7 +174,8 @@ class MotionProduct {
     return choice;
   }
 
-  /// With this branch, in its middle or else between two times at which some branch begins or ends; nullopt: nothing is ever there with it.
+  /// With this branch, in its middle or else between two times at which some branch begins or ends;
+  /// nullopt: nothing is ever there with it.
   std::optional<BranchChoice> choice_with(std::size_t chain, std::size_t branch) const {
     const MotionBranch& given = motion(chain).branches[branch];
     if (auto choice = choice_at((given.begins + given.ends) / 2, chain, branch)) return choice;
@@ -190,7 +193,8 @@ class MotionProduct {
     return std::nullopt;
   }
 
-  /// As without sub-chains: those at `from` by pose, as closures are lettered, then by their beginning.
+  /// As without sub-chains: those at `from` by pose, as closures are lettered, then by their
+  /// beginning.
   void order_choices() {
     std::stable_sort(
         choices_.begin(), choices_.end(),
@@ -320,8 +324,8 @@ class MotionProduct {
     add(last, end);
   }
 
-  /// The event of the sub-chain whose branch begins last, or ends first; once for what the others are on. Dead points of several at one
-  /// time are one event, where all branches of these meet.
+  /// The event of the sub-chain whose branch begins last, or ends first; once for what the others
+  /// are on. Dead points of several at one time are one event, where all branches of these meet.
   void enter_event(const BranchChoice& choice, bool is_end, MotionBranch& branch) {
     const double time = is_end ? choice.ends : choice.begins;
     PartEvents at{std::vector<std::optional<std::size_t>>(chains_.size()), choice.branch};

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How does a mechanism move whose sub-chains do not depend on each other? Each is followed on its own; the whole is put together.
+// How does a mechanism move whose sub-chains do not depend on each other? Each is followed on its
+// own; the whole is put together.
 //
 //   branches     one of each sub-chain, while all of them are there
 //   events       those of each sub-chain, once for every choice of branches that the others are on
 //   checkpoints  where every sub-chain has one: counts multiply, and it agrees where all do
 // A sub-chain's pose where another one's branch ends is followed to from its sample before.
-// Steps of a branch go from sample to sample, at least kFewestSamples of them, by poses, velocities and accelerations; beside an
-// event by the poses alone.
+// Steps of a branch go from sample to sample, at least kFewestSamples of them, by poses, velocities
+// and accelerations; beside an event by the poses alone.
 #pragma once
 
 #include "moivre/motion/motion.h"

@@ -11,7 +11,8 @@
 namespace moivre {
 namespace {
 
-/// Whether branches lie before a dead point where they are known to lie behind it, or the other way.
+/// Whether branches lie before a dead point where they are known to lie behind it, or the other
+/// way.
 bool is_other_side(const MotionEvent& event, bool is_ending) {
   if (event.at.kind != EventKind::dead_point) return false;
   return is_ending ? event.ending.empty() : event.beginning.empty();
@@ -111,7 +112,8 @@ std::size_t enter_lone_closures(const MotionRun& run, const Scene& scene, Checkp
   return matched;
 }
 
-/// Enters branches that are at no closure of their own; returns the number of all branches that are there.
+/// Enters branches that are at no closure of their own; returns the number of all branches that are
+/// there.
 std::size_t enter_lone_branches(const MotionRun& run, const Scene& scene, Checkpoint& row,
                                 MotionResult& result) {
   const auto& found = scene.track_of;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What is known of a motion while it is being found? The mechanism, the times, and the tracks that were followed so far.
+// What is known of a motion while it is being found? The mechanism, the times, and the tracks that
+// were followed so far.
 //
 // Tracks have a pose at all times, and velocities at those of the samples alone.
-// Events are the same where they are of one kind, at one time and at one pose, as far as both are known: beside a dead point a pose
-// moves with the root of the time.
+// Events are the same where they are of one kind, at one time and at one pose, as far as both are
+// known: beside a dead point a pose moves with the root of the time.
 #pragma once
 
 #include "motion_times.h"
@@ -47,11 +48,12 @@ bool is_event_time(const MotionRun& run, const BranchEvent& event, double time);
 /// Whether a track ends, either way, at that time in the pose q.
 bool is_event_of_a_track(const MotionRun& run, double time, const Eigen::VectorXd& q);
 
-/// Whether a track ends at a dead point between the times where no other track ends, the same way. `track` is one of the run's.
+/// Whether a track ends at a dead point between the times where no other track ends, the same way.
+/// `track` is one of the run's.
 bool lacks_partner(const MotionRun& run, const Track& track, bool is_forwards);
 
-/// Whether the closure is there for an instant: more constraints than coordinates, and none of them can hold a moment later,
-/// [Phi_q Phi_t] having full rank. Notes it in the run.
+/// Whether the closure is there for an instant: more constraints than coordinates, and none of them
+/// can hold a moment later, [Phi_q Phi_t] having full rank. Notes it in the run.
 bool is_instant(MotionRun& run, double time, const Closure& closure);
 
 /// Whether it was noted.

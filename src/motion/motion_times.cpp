@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Even times of samples and checkpoints, merged; which are refused; where the drivers stand then, and when they have shown all.
+// Even times of samples and checkpoints, merged; which are refused; where the drivers stand then,
+// and when they have shown all.
 #include "motion_times.h"
 
 #include <algorithm>
@@ -34,7 +35,8 @@ double snapped(double time, const std::vector<double>& samples) {
   return next != samples.end() && *next <= time + width ? *next : time;
 }
 
-/// Seconds from `from` until the angle has gone one turn on; nullopt where it comes to a halt before.
+/// Seconds from `from` until the angle has gone one turn on; nullopt where it comes to a halt
+/// before.
 std::optional<double> time_of_a_turn(const Parabola& angle, double from) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const double velocity = angle.velocity + angle.acceleration * from;

@@ -2,10 +2,12 @@
 // At which times is a motion looked at? Samples for the caller, and checkpoints for the closures.
 //
 //   samples       from + k (to - from) / steps
-//   checkpoints   from + k (to - from) / checkpoints; as it stands among the samples where it is one of them but for rounding
+//   checkpoints   from + k (to - from) / checkpoints; as it stands among the samples where it is
+//                 one of them but for rounding
 //   all           both, ascending
 //
-// Tracks have a pose at every one of `all`, so that any of them can be compared with closures. Seconds.
+// Tracks have a pose at every one of `all`, so that any of them can be compared with closures.
+// Seconds.
 // Edges: without checkpoints after `from` there is one, `from` itself.
 #pragma once
 

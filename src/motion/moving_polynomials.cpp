@@ -16,7 +16,8 @@ using Eigen::Index;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kFewestNodes = 8;
 constexpr int kMostNodes = 32;
-// With the fewest nodes a smooth coefficient's last terms are this small already, beside the largest coefficient of its rows.
+// With the fewest nodes a smooth coefficient's last terms are this small already, beside the
+// largest coefficient of its rows.
 constexpr double kSmooth = 1e-3;
 // A stretch so much shorter is not halved again: there is a corner in it.
 constexpr int kMostHalvings = 5;

@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What are the closure polynomials at any time, and how fast do their coefficients move? F(x; t), with its derivative by t.
+// What are the closure polynomials at any time, and how fast do their coefficients move? F(x; t),
+// with its derivative by t.
 //
-//   F_i(x; t) = sum_k c_ik(t) x^a_ik,  x in units of the mechanism: a length counts by its largest one
+//   F_i(x; t) = sum_k c_ik(t) x^a_ik,  x in units of the mechanism: a length counts by its largest
+//                                      one
 //
-// Between two times the drivers move smoothly, and c_ik is its Chebyshev series there: the formulation is made at the nodes,
-// 9, 17 or 33 of them until the last coefficients are rounding; else the stretch is halved.
-// Some formulations are unique but for a factor of each row, or tell only what several rows of one name span: a pivot elsewhere gives
-// other rows of that span. So the k rows R of a group, with M theirs in the middle of the stretch, are replaced by (R M^H)^-1 R, which
-// depends on the span alone and moves smoothly while it does not turn too far.
+// Between two times the drivers move smoothly, and c_ik is its Chebyshev series there: the
+// formulation is made at the nodes, 9, 17 or 33 of them until the last coefficients are rounding;
+// else the stretch is halved.
+// Some formulations are unique but for a factor of each row, or tell only what several rows of one
+// name span: a pivot elsewhere gives other rows of that span. So the k rows R of a group, with M
+// theirs in the middle of the stretch, are replaced by (R M^H)^-1 R, which depends on the span
+// alone and moves smoothly while it does not turn too far.
 // Stretches are made when they are asked for.
-// Edges: where a driver's law has a corner, or a formulation changes its kind, nothing is known, and at() says so. Rows that are
-// not smooth do not keep others from being known.
+// Edges: where a driver's law has a corner, or a formulation changes its kind, nothing is known,
+// and at() says so. Rows that are not smooth do not keep others from being known.
 // Symbols: c in the order of the terms, row after row; t in seconds.
 #pragma once
 
@@ -47,7 +51,8 @@ class MovingPolynomials {
   };
   /// Those of `rows`; nullopt: these are not smooth there.
   std::optional<Coefficients> at(double t, const std::vector<std::size_t>& rows) const;
-  /// c from the formulation at that very time, twice as long: what the series leaves out would hide two roots that all but meet.
+  /// c from the formulation at that very time, twice as long: what the series leaves out would hide
+  /// two roots that all but meet.
   std::optional<std::vector<ComplexDoubleDouble>> sharply_at(
       double t, const std::vector<std::size_t>& rows) const;
 

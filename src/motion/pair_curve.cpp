@@ -125,7 +125,8 @@ class PairFollower {
     return is_known_within(step, predicted) ? std::optional(std::move(step)) : std::nullopt;
   }
 
-  /// Whether the step's end is where it was predicted, s and its slope above all: then s has no maximum that its slopes hide.
+  /// Whether the step's end is where it was predicted, s and its slope above all: then s has no
+  /// maximum that its slopes hide.
   bool is_known_within(const PairStep& step, const PairVector& predicted) const {
     const PairVector miss = step.b.y - predicted;
     const Index at = equations_.at_s();
@@ -138,7 +139,8 @@ class PairFollower {
            std::abs(slope_miss) <= kMostMissOfSlope * most_of_slope + kNoiseOfS / step.length;
   }
 
-  /// On its other side the roots come back. Where they begin that far away nothing is real beside them.
+  /// On its other side the roots come back. Where they begin that far away nothing is real beside
+  /// them.
   PairCurve gone_to_infinity(bool has_moved) {
     if (has_moved) curve_.borders.push_back(time(at_));
     curve_.is_lost = false;
@@ -204,9 +206,11 @@ class PairFollower {
               equations_.roots(top->y));
   }
 
-  /// A maximum so near to zero that double does not tell its sign: the parabola through three points known better.
+  /// A maximum so near to zero that double does not tell its sign: the parabola through three
+  /// points known better.
   void take_brief(const PairPoint& top) {
-    // In tau, from round to round: the cubic term that the parabola lacks falls with its third power.
+    // In tau, from round to round: the cubic term that the parabola lacks falls with its third
+    // power.
     constexpr std::array<double, 3> kReaches{1e-6, 1e-8, 1e-10};
     // Zeros that are nearer to each other are one time.
     constexpr double kOneTime = 1e-12;
@@ -241,7 +245,8 @@ class PairFollower {
               equations_.time(centre), equations_.roots(middle));
   }
 
-  /// Whether the time goes back at a place of the step where s > 0, as in a fold-back that is shorter than the step.
+  /// Whether the time goes back at a place of the step where s > 0, as in a fold-back that is
+  /// shorter than the step.
   bool goes_back_while_real(const PairStep& step) const {
     constexpr int kPlaces = 32;
     for (int k = 1; k < kPlaces; ++k) {
@@ -350,7 +355,8 @@ class PairFollower {
   std::optional<Meeting> met_;  ///< since it the roots are real
   std::array<Point, 2> life_;   ///< they, soon after
   double life_at_ = 0;
-  /// Since they met: they are two of three roots, of which the third one is between two dead points.
+  /// Since they met: they are two of three roots, of which the third one is between two dead
+  /// points.
   bool has_turned_ = false;
   PairCurve curve_;
 };

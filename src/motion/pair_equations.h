@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Which equations do two closures satisfy that are mirror images of each other, or both real?
 //
-// A block of the closure polynomials has, above real values p of the blocks that it needs, two roots that are images of each other:
+// A block of the closure polynomials has, above real values p of the blocks that it needs, two
+// roots that are images of each other:
 //   x = m +- sqrt(s) u,    |u| = 1,    s < 0 where they are complex, s > 0 where both are real.
-// p, m, u and s are real (fixed under the mirror), and regular functions of the time where the roots themselves are not: at s = 0,
-// where they meet. In numbers a + b e with e^2 = s, F(m + u e) = A + B e, and
+// p, m, u and s are real (fixed under the mirror), and regular functions of the time where the
+// roots themselves are not: at s = 0, where they meet. In numbers a + b e with e^2 = s, F(m + u e)
+// = A + B e, and
 //   P(p; t) = 0,   A(p, m, u, s; t) = 0,   B(p, m, u, s; t) = 0,   u0.u = 1
 // is a curve. It is regular where p turns back in time, too.
-// Symbols: n unknowns z = (p, m, u, s), y = (z, tau), tau = (t - from) / (to - from); x in units (moving_polynomials.h).
-// Edges: singular where three roots meet. A block whose unknowns are not their own mirror images has no pairs.
+// Symbols: n unknowns z = (p, m, u, s), y = (z, tau), tau = (t - from) / (to - from); x in units
+// (moving_polynomials.h).
+// Edges: singular where three roots meet. A block whose unknowns are not their own mirror images
+// has no pairs.
 #pragma once
 
 #include <Eigen/Core>
@@ -60,11 +64,12 @@ class PairEquations {
   PairVector without_u_and_s(PairVector y) const;
   /// With |u| = 1.
   PairVector normalized(PairVector y) const;
-  /// Newton's method on the plane normal.y = offset, with u0 that of `base`; the tangent goes the way of `before`. nullopt where it
-  /// does not converge.
+  /// Newton's method on the plane normal.y = offset, with u0 that of `base`; the tangent goes the
+  /// way of `before`. nullopt where it does not converge.
   std::optional<PairPoint> corrected(PairVector y, const PairVector& base, const PairVector& normal,
                                      double offset, const PairVector& before) const;
-  /// s at the time of y, near which the curve is, in double-double: to 1e-25 or so. nullopt: likewise.
+  /// s at the time of y, near which the curve is, in double-double: to 1e-25 or so. nullopt:
+  /// likewise.
   std::optional<double> sharp_s(const PairVector& y) const;
 
  private:

@@ -21,7 +21,8 @@ namespace {
 
 // Of a stretch: no mechanism is symmetric about this place.
 constexpr double kWithin = 0.4472;
-// Another place of the same stretch for each further scene: by the golden section no two are near each other.
+// Another place of the same stretch for each further scene: by the golden section no two are near
+// each other.
 constexpr double kGolden = 0.6180339887498949;
 constexpr int kMostTries = 5;
 // Of the motion: what is lost sooner shows nothing of the times beside a scene.
@@ -93,7 +94,8 @@ void PairSearch::prepare() {
   }
 }
 
-/// The pairs that a closure which is not real belongs to: in each block that is the first one not real.
+/// The pairs that a closure which is not real belongs to: in each block that is the first one not
+/// real.
 void PairSearch::enter_pairs(const Point& root, PairScene& scene) {
   for (std::size_t block = 0; block < equations_.size(); ++block) {
     if (equations_[block] == nullptr) continue;
@@ -152,7 +154,8 @@ bool PairSearch::pass(std::size_t scene, std::size_t block, const Point& x,
   return true;
 }
 
-/// Whether all closures are there and apart, complex ones too: at some times a few are at infinity, or meet.
+/// Whether all closures are there and apart, complex ones too: at some times a few are at infinity,
+/// or meet.
 bool PairSearch::is_regular(const PairScene& scene) const {
   return scene.are_apart &&
          std::all_of(scenes_.begin(), scenes_.end(),
@@ -306,7 +309,8 @@ std::vector<double> PairSearch::event_times() const {
   return times;
 }
 
-/// Whether the scene lies in the stretch and tells of all of it. One at either end of the motion does, unless an event lies beside it.
+/// Whether the scene lies in the stretch and tells of all of it. One at either end of the motion
+/// does, unless an event lies beside it.
 bool PairSearch::shows(const PairScene& scene, double from, double to,
                        const std::vector<double>& events) const {
   // What was not decided is told, and solving beside it helps as little.
@@ -321,7 +325,8 @@ bool PairSearch::shows(const PairScene& scene, double from, double to,
          });
 }
 
-/// Where to solve closures next in a stretch that no scene shows; nullopt, and a note, after a few times.
+/// Where to solve closures next in a stretch that no scene shows; nullopt, and a note, after a few
+/// times.
 std::optional<double> PairSearch::next_time(double from, double to) {
   std::uint64_t tries = 0;
   bool are_regular = true;

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Between which times do closures become real that no scene shows? Every pair of complex ones is followed (pair_curve.h).
+// Between which times do closures become real that no scene shows? Every pair of complex ones is
+// followed (pair_curve.h).
 //
-// Let B be the times at which some pair meets, turns back, goes to infinity or is lost, or a branch begins or ends. Between two
-// neighbouring times of B the number of real closures is the same. So with one scene there, and all its pairs followed, nothing is missed:
-// two roots that are real for a while at another time are a pair in that scene, or in the scene of an earlier while, and following it leads
-// there. The scene has to be regular: as many closures as any other scene, complex ones too, and no multiple one. And its pairs must not be
-// lost at once. Else closures are solved at other times of that stretch, a few times. If its pairs can be followed from none of them, what is
-// known is what these scenes show; if none is regular, that is a doubt.
-// Stretches shorter than kBriefest have no scene of their own; the roots that are real there come from the pair's own curve. But where
-// three roots are real these are well apart, and a scene shows them, however short that is.
+// Let B be the times at which some pair meets, turns back, goes to infinity or is lost, or a branch
+// begins or ends. Between two neighbouring times of B the number of real closures is the same. So
+// with one scene there, and all its pairs followed, nothing is missed:
+// two roots that are real for a while at another time are a pair in that scene, or in the scene of
+// an earlier while, and following it leads there. The scene has to be regular: as many closures as
+// any other scene, complex ones too, and no multiple one. And its pairs must not be lost at once.
+// Else closures are solved at other times of that stretch, a few times. If its pairs can be
+// followed from none of them, what is known is what these scenes show; if none is regular, that is
+// a doubt.
+// Stretches shorter than kBriefest have no scene of their own; the roots that are real there come
+// from the pair's own curve. But where three roots are real these are well apart, and a scene shows
+// them, however short that is.
 // Every pair that passes a regular scene must be one of its pairs.
-// Curves that come by a place where complex closures nearly meet are lost there one by one, a little apart: that is one time of B, and of what
-// lies between them the scenes alone are known.
-// Edges: closures beyond a joint's limits are no branches; that they come within limits for a while is seen at scenes alone.
+// Curves that come by a place where complex closures nearly meet are lost there one by one, a
+// little apart: that is one time of B, and of what lies between them the scenes alone are known.
+// Edges: closures beyond a joint's limits are no branches; that they come within limits for a while
+// is seen at scenes alone.
 // A mechanism without drivers, or with fewer equations than unknowns, has no pairs that move.
 #pragma once
 
@@ -34,16 +40,19 @@ class PairSearch {
 
   /// Follows the pairs of all scenes that no earlier curve passes.
   void follow(const std::vector<Scene>& scenes);
-  /// Times in stretches of B without a scene, and in fold-backs: where to solve closures next; empty where nothing is left to see.
+  /// Times in stretches of B without a scene, and in fold-backs: where to solve closures next;
+  /// empty where nothing is left to see.
   std::vector<double> open_times();
-  /// Branches that live so briefly that no scene shows them, from the pair's curve; each is given once.
+  /// Branches that live so briefly that no scene shows them, from the pair's curve; each is given
+  /// once.
   std::vector<Track> take_brief();
 
   /// Times at which a pair meets and parts again, as far as rounding tells.
   const std::vector<double>& instants() const { return instants_; }
   /// Notes a doubt, once.
   void tell(const std::string& doubt);
-  /// The stretches in which pairs can be followed from none of several scenes, a sentence; nullopt where there is none.
+  /// The stretches in which pairs can be followed from none of several scenes, a sentence; nullopt
+  /// where there is none.
   std::optional<std::string> sampled() const;
   /// What was not found among a scene's closures, each a sentence.
   std::vector<std::string> doubts() const;
@@ -105,11 +114,12 @@ class PairSearch {
 Track brief_track(const Phi& phi, const BranchPose& begin, const BranchPose& pose,
                   const BranchPose& end);
 
-/// A hundred branches begin and end between as many times; where numbers are too rough to follow anything more would be without end.
+/// A hundred branches begin and end between as many times; where numbers are too rough to follow
+/// anything more would be without end.
 inline constexpr std::size_t kMostSearches = 400;
 
-/// Scenes until there is one between any two neighbouring events, with every pair of complex closures followed. What is left open is
-/// told as a doubt.
+/// Scenes until there is one between any two neighbouring events, with every pair of complex
+/// closures followed. What is left open is told as a doubt.
 void search_pairs(MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes,
                   PairSearch& pairs, std::size_t most_times = kMostSearches);
 

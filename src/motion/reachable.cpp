@@ -22,7 +22,8 @@ std::size_t count_branches(const Circuits& circuits) {
   return count;
 }
 
-/// Whether a name means this branch: its id, the ids of its sub-chains' branches as in E.H, one of these as in 1:E, or the drawn pose.
+/// Whether a name means this branch: its id, the ids of its sub-chains' branches as in E.H, one of
+/// these as in 1:E, or the drawn pose.
 bool is_named(const MotionResult& motion, const MotionBranch& branch, const std::string& name) {
   if (branch.id == name) return true;
   if (name == kDrawn) return branch.id == motion.drawn;
@@ -46,7 +47,8 @@ std::string names_text(const MotionResult& motion, const std::vector<std::size_t
          sub_chain_name(0, of.front()) + " all with this one of the first";
 }
 
-/// The branches at `from` with these names. Throws std::invalid_argument that names every unknown one.
+/// The branches at `from` with these names. Throws std::invalid_argument that names every unknown
+/// one.
 std::vector<std::size_t> named_branches(const MotionResult& motion,
                                         const std::vector<std::string>& names) {
   const std::vector<std::size_t> firsts = first_branches(motion);
@@ -93,7 +95,8 @@ void keep_parts_of_branches(MotionResult& motion) {
   }
 }
 
-/// Whether each sub-chain is on the circuit on which it is in one of `from`; the circuits of the whole are parts of these.
+/// Whether each sub-chain is on the circuit on which it is in one of `from`; the circuits of the
+/// whole are parts of these.
 std::vector<bool> reachable_by_sub_chains(const MotionResult& motion,
                                           const std::vector<std::size_t>& from) {
   std::vector<bool> is_kept(motion.branches.size(), false);

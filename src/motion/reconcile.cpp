@@ -24,7 +24,8 @@ bool is_same_all_along(const MotionRun& run, const std::vector<Scene>& scenes, c
   });
 }
 
-/// Two tracks at one closure: the younger goes where it is a copy, else both are followed again with shorter steps.
+/// Two tracks at one closure: the younger goes where it is a copy, else both are followed again
+/// with shorter steps.
 /// False when nothing more can be done.
 bool part(MotionRun& run, const std::vector<Scene>& scenes, std::size_t first, std::size_t second) {
   Track& older = run.tracks[first];
@@ -59,9 +60,9 @@ bool is_sought(const MotionRun& run, const BranchEvent& event) {
                      [&](const BranchEvent& other) { return is_same_event(run, event, other); });
 }
 
-/// A branch that meets another at its dead point may live between two checkpoints only. True when one was sought, which is done once for
-/// each dead point: what sets out beyond it and ends elsewhere may come back to it when it is followed again, but never by being sought
-/// again.
+/// A branch that meets another at its dead point may live between two checkpoints only. True when
+/// one was sought, which is done once for each dead point: what sets out beyond it and ends
+/// elsewhere may come back to it when it is followed again, but never by being sought again.
 bool add_partner(MotionRun& run) {
   for (std::size_t k = 0; k < run.tracks.size() && !run.stop; ++k) {
     for (const bool is_forwards : {true, false}) {
@@ -77,7 +78,8 @@ bool add_partner(MotionRun& run) {
   return false;
 }
 
-/// The checkpoints that a track passes, determined, one way from its anchor: where to turn back, and the times of the way.
+/// The checkpoints that a track passes, determined, one way from its anchor: where to turn back,
+/// and the times of the way.
 struct WayBack {
   const Scene* last = nullptr;  ///< the farthest from the anchor; nullptr: there is none
   std::vector<double> times;    ///< from there to the anchor
@@ -97,7 +99,8 @@ WayBack way_back(const std::vector<Scene>& scenes, const Track& track, bool is_f
   return back;
 }
 
-/// Whether the way back, from the closure that was solved at the track's last checkpoint, is the way there.
+/// Whether the way back, from the closure that was solved at the track's last checkpoint, is the
+/// way there.
 bool leads_back(const MotionRun& run, const std::vector<Scene>& scenes, const Track& track,
                 bool is_forwards) {
   const WayBack way = way_back(scenes, track, is_forwards);

@@ -9,7 +9,8 @@
 namespace moivre {
 namespace {
 
-// Rounding e parts a double root into two that are 2 sqrt(e) apart, at which the smallest singular value is sqrt(e) too.
+// Rounding e parts a double root into two that are 2 sqrt(e) apart, at which the smallest singular
+// value is sqrt(e) too.
 constexpr double kParted = 4e-15;
 
 /// Poses are told apart by their lengths: angles are known but for whole turns.

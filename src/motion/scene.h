@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which closures are there at a checkpoint, and which track is at each?
 //
-// A track is at the closure nearest to its pose, where that is the same pose. Two tracks at one closure are a conflict: one
-// of them has left its branch. Half of the progress that is shown is for the scenes at first, half for the tracks.
+// A track is at the closure nearest to its pose, where that is the same pose. Two tracks at one
+// closure are a conflict: one of them has left its branch. Half of the progress that is shown is
+// for the scenes at first, half for the tracks.
 #pragma once
 
 #include <optional>
@@ -18,7 +19,8 @@ struct Scene {
   ClosureResult closures;
   NearNumbers numbers;                               ///< of the closures
   std::vector<std::optional<std::size_t>> track_of;  ///< one a closure: index into the tracks
-  /// Closures, complex ones too, those counted once that are as near to each other as rounding parts a double one.
+  /// Closures, complex ones too, those counted once that are as near to each other as rounding
+  /// parts a double one.
   std::size_t distinct = 0;
   bool are_apart = true;  ///< no two are so near, and none is multiple
 };
@@ -30,7 +32,8 @@ Scene scene_of(const Phi& phi, ClosureResult closures);
 std::optional<std::size_t> nearest_closure(const Phi& phi, const Scene& scene,
                                            const Eigen::VectorXd& q);
 
-/// Whether it is simple, and no other closure there is so near that rounding may have parted a double one.
+/// Whether it is simple, and no other closure there is so near that rounding may have parted a
+/// double one.
 bool stands_alone(const Phi& phi, const Scene& scene, std::size_t closure);
 
 /// The scenes at `from` and at every checkpoint, ascending; fewer where the run was stopped.
@@ -46,9 +49,11 @@ bool look_closer(MotionRun& run, const Tracker& tracker, std::vector<Scene>& sce
 void add_scenes(MotionRun& run, const Tracker& tracker, const std::vector<double>& times,
                 std::vector<Scene>& scenes);
 
-/// Drops the checkpoints at which branches cross and closures are not all decided or not apart: there a pose may move though the drivers
-/// stand (an arm's straight wrist), and paths come to no isolated root, or to one that rounding parts. Closures are solved in the
-/// stretches on both sides, and what is one to one there is so across the crossing, too. The first and the last checkpoint stay.
+/// Drops the checkpoints at which branches cross and closures are not all decided or not apart:
+/// there a pose may move though the drivers stand (an arm's straight wrist), and paths come to no
+/// isolated root, or to one that rounding parts. Closures are solved in the stretches on both
+/// sides, and what is one to one there is so across the crossing, too. The first and the last
+/// checkpoint stay.
 /// Returns the times of those that were dropped.
 std::vector<double> drop_crossings(const MotionRun& run, std::vector<Scene>& scenes);
 

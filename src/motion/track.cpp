@@ -27,7 +27,8 @@ double reached(const Branch& branch, double anchor) {
   return branch.samples.empty() ? anchor : branch.samples.back().time;
 }
 
-/// An event at the anchor of a simple closure: the branch fails instead, since no branches cross there.
+/// An event at the anchor of a simple closure: the branch fails instead, since no branches cross
+/// there.
 void refuse_crossing_at(double time, Branch& branch) {
   if (!branch.event || branch.event->kind != EventKind::bifurcation || branch.event->time != time) {
     return;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Where is a branch at each of the times, followed both ways from the pose at which it was found?
 //
-// Times in seconds, ascending; q: n coordinates as in Phi. Followed again, a track takes steps a quarter as long each time.
-// Edges: an anchor at either end of the times is followed one way only, the other holds the anchor alone.
+// Times in seconds, ascending; q: n coordinates as in Phi. Followed again, a track takes steps a
+// quarter as long each time.
+// Edges: an anchor at either end of the times is followed one way only, the other holds the anchor
+// alone.
 #pragma once
 
 #include <vector>
@@ -23,7 +25,8 @@ struct Track {
 
   /// From its anchor on, or back.
   const Branch& way(bool is_forwards) const { return is_forwards ? forwards : backwards; }
-  /// At which it ends: the one behind it, then the one ahead, those that there are. They are the track's own.
+  /// At which it ends: the one behind it, then the one ahead, those that there are. They are the
+  /// track's own.
   std::vector<const BranchEvent*> events() const;
   double begins() const;
   double ends() const;
@@ -33,7 +36,8 @@ struct Track {
   const BranchSample* at(double time) const;
 };
 
-/// How a track is followed: through all `times` (ascending), and shorter steps each time again. The way back is for poses.
+/// How a track is followed: through all `times` (ascending), and shorter steps each time again. The
+/// way back is for poses.
 struct TrackFollower {
   const Mechanism& mechanism;
   const std::vector<double>& times;
@@ -41,7 +45,8 @@ struct TrackFollower {
   FollowBranch follow_branch;
   const std::atomic<bool>& stop;
 
-  /// A way that ends at the anchor of a simple closure, as if branches crossed there, has failed: it cannot be followed.
+  /// A way that ends at the anchor of a simple closure, as if branches crossed there, has failed:
+  /// it cannot be followed.
   Track follow(const BranchPose& anchor, bool is_simple = false) const;
   void follow_again(Track& track) const;
   /// Adds the pose at a time between samples, where the branch is there.

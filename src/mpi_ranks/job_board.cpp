@@ -8,7 +8,8 @@ namespace moivre {
 namespace {
 
 constexpr std::int32_t kFree = -1, kDone = -2;
-// Of what is free each rank gets a half of its share, and no more than that many: others may ask later than the first.
+// Of what is free each rank gets a half of its share, and no more than that many: others may ask
+// later than the first.
 constexpr std::uint64_t kPiecesOfAShare = 2, kMostOfAPiece = 512;
 
 }  // namespace

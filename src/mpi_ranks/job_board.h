@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Who does which jobs of which list? Rank 0 keeps this board.
 //
-// A list is opened by the first who asks for a piece of it, and lasts as a line of some bytes when it is done. Pieces are a share of
-// what is left, so that the last ranks end together.
+// A list is opened by the first who asks for a piece of it, and lasts as a line of some bytes when
+// it is done. Pieces are a share of what is left, so that the last ranks end together.
 #pragma once
 
 #include <cstdint>

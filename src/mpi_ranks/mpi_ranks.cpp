@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is observed, on rank 0 with its ledger, and lists as they are seen by those that do their jobs.
+// What is observed, on rank 0 with its ledger, and lists as they are seen by those that do their
+// jobs.
 #include "moivre/mpi_ranks/mpi_ranks.h"
 
 #include "node.h"

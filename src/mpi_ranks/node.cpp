@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Messages between ranks, by MPI's oldest calls: Isend, Iprobe, Recv. It looks often while messages come, and seldom otherwise.
+// Messages between ranks, by MPI's oldest calls: Isend, Iprobe, Recv. It looks often while messages
+// come, and seldom otherwise.
 #include "node.h"
 
 #include <mpi.h>

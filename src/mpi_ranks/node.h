@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The one thread of a rank that calls MPI: what does it send, and what does it do with what it receives?
+// The one thread of a rank that calls MPI: what does it send, and what does it do with what it
+// receives?
 #pragma once
 
 #include <atomic>

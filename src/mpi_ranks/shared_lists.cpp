@@ -9,7 +9,8 @@ namespace {
 
 // Outcomes wait so long for others to go with them, unless somebody waits for them.
 constexpr std::chrono::milliseconds kGather{20};
-// The next piece is asked for with the last job of this one; but not near the end, where a job would lie here that others have time for.
+// The next piece is asked for with the last job of this one; but not near the end, where a job
+// would lie here that others have time for.
 constexpr std::uint64_t kLeastToAskAhead = 8;
 // A stop is seen so soon.
 constexpr std::chrono::milliseconds kLookForStop{10};

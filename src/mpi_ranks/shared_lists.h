@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What does one rank know of the lists that it does with others? Its piece of each, and which outcomes have been told.
+// What does one rank know of the lists that it does with others? Its piece of each, and which
+// outcomes have been told.
 //
-// Stands between the threads that do jobs and the one that speaks with other ranks: those wait here, that one looks in. Outcomes of a
-// list that this rank has not come to yet are kept until it does.
+// Stands between the threads that do jobs and the one that speaks with other ranks: those wait
+// here, that one looks in. Outcomes of a list that this rank has not come to yet are kept until it
+// does.
 #pragma once
 
 #include <chrono>

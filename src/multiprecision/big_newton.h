@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How near does Newton's method on F come in D digits? With the bound that its last correction gives.
+// How near does Newton's method on F come in D digits? With the bound that its last correction
+// gives.
 #pragma once
 
 #include <cmath>
@@ -92,7 +93,8 @@ class BigNewton {
 
   Real row_size(std::size_t i) const { return exp2(Real(norms_.log2_norm[i])); }
 
-  /// Bound on what rounding did to each F_i(x): every term's size times the roundings that it went through.
+  /// Bound on what rounding did to each F_i(x): every term's size times the roundings that it went
+  /// through.
   std::vector<Real> evaluation_errors(const std::vector<Number>& x) {
     std::vector<Real> size_x;
     for (const Number& xi : x) size_x.push_back(sqrt(norm(xi)));

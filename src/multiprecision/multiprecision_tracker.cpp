@@ -10,8 +10,8 @@
 namespace moivre {
 namespace {
 
-// To thirty roots within 1e-6 a path takes 250. One that takes many more goes along beside another sheet, and more digits do not
-// shorten its way.
+// To thirty roots within 1e-6 a path takes 250. One that takes many more goes along beside another
+// sheet, and more digits do not shorten its way.
 constexpr std::int64_t kMostSteps = 1000;
 constexpr unsigned kSome = 100;
 constexpr unsigned kMany = 300;

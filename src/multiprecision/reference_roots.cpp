@@ -16,12 +16,13 @@
 namespace moivre {
 namespace {
 
-// What is worked with beyond the digits asked for, before more is taken: for the condition and for rounding.
+// What is worked with beyond the digits asked for, before more is taken: for the condition and for
+// rounding.
 constexpr int kGuardDigits = 35;
 // The bound lies this many digits beyond the last one given, so that it is rounded rightly.
 constexpr int kRoundingDigits = 8;
-// Newton's method from a root known to a few digits needs about six iterations to fill the first level; at a
-// multiple root it would go on for hundreds.
+// Newton's method from a root known to a few digits needs about six iterations to fill the first
+// level; at a multiple root it would go on for hundreds.
 constexpr int kFirstIterations = 30;
 constexpr int kLaterIterations = 8;
 
@@ -94,8 +95,9 @@ class Climb {
     return x;
   }
 
-  /// Newton's method in D digits, until the result stands or the next level is to go on. Where it is lost in rounding errors, as beside
-  /// roots of many near each other, the next level begins anew.
+  /// Newton's method in D digits, until the result stands or the next level is to go on. Where it
+  /// is lost in rounding errors, as beside roots of many near each other, the next level begins
+  /// anew.
   template <unsigned D>
   void level(std::vector<BigComplex<D>> x, int iterations) {
     root_.working_digits = static_cast<int>(D);
@@ -156,7 +158,8 @@ class Climb {
   ReferenceRoot root_;
 };
 
-/// MPFR keeps constants and free limbs for each thread; they go with the thread that asked for them.
+/// MPFR keeps constants and free limbs for each thread; they go with the thread that asked for
+/// them.
 class MpfrCaches {
  public:
   MpfrCaches() = default;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is the greatest common divisor of long integers found fast? Euclid's algorithm on their leading digits.
+// How is the greatest common divisor of long integers found fast? Euclid's algorithm on their
+// leading digits.
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -15,7 +16,8 @@ constexpr std::size_t kWord = std::numeric_limits<Limb>::digits;
 static_assert(kWord == 64, "the leading digits are read limb by limb");
 __extension__ using Wide = __int128;
 
-// So many leading bits that cofactors, which are shorter than half of them, and sums of two products fit two words.
+// So many leading bits that cofactors, which are shorter than half of them, and sums of two
+// products fit two words.
 constexpr std::size_t kLeading = 62;
 
 /// The 64 bits of n from bit `first` on; n >= 0.
@@ -37,8 +39,9 @@ struct Steps {
   std::int64_t D = 1;
 };
 
-/// The steps that the leading digits x of a and y of b tell without doubt, whatever digits follow: remainders have to exceed
-/// what these can change, the cofactors, which alternate in sign [Jebelean93].
+/// The steps that the leading digits x of a and y of b tell without doubt, whatever digits follow:
+/// remainders have to exceed what these can change, the cofactors, which alternate in sign
+/// [Jebelean93].
 Steps certain_steps(std::int64_t x, std::int64_t y) {
   Steps s;
   bool is_even = false;

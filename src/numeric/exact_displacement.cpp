@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::size_t kColumns = ExactDisplacement::size();
 
-/// [V | 1] with V's rows combined until they are multiples of unit vectors in the pivots' columns, with one factor in all.
+/// [V | 1] with V's rows combined until they are multiples of unit vectors in the pivots' columns,
+/// with one factor in all.
 class Eliminated {
  public:
   Eliminated(const std::vector<ExactDisplacement>& vectors, double length) {
@@ -34,7 +35,8 @@ class Eliminated {
     return reduced(form);
   }
 
-  /// R V = factor (unit vectors in the pivots' columns), R in the last columns: g = sum a_k v_k has a = R^T g_pivots / factor.
+  /// R V = factor (unit vectors in the pivots' columns), R in the last columns: g = sum a_k v_k has
+  /// a = R^T g_pivots / factor.
   const Integer& factor() const { return factor_; }
   ExactDisplacement coordinate(std::size_t vector) const {
     ExactDisplacement form;

@@ -46,7 +46,8 @@ Integer rounded_quotient(Integer n, Integer d, long exponent) {
   return up ? Integer(quotient + 1) : quotient;
 }
 
-/// n > 0 as a double, where it is one and its quotient by another such is neither too large nor denormal.
+/// n > 0 as a double, where it is one and its quotient by another such is neither too large nor
+/// denormal.
 std::optional<double> as_double(const Integer& n) {
   constexpr auto kMostBits = static_cast<std::size_t>(Double::max_exponent / 2);
   // Nearly every number that was typed is that short.
@@ -96,8 +97,8 @@ void require_divisor(bool is_zero) {
   if (is_zero) throw InvalidInput("division of an exact number by zero");
 }
 
-/// Numerator and denominator of a number that was typed nearly always fit a machine word: their arithmetic takes a tenth of the
-/// time. What overflows is taken with integers of any length.
+/// Numerator and denominator of a number that was typed nearly always fit a machine word: their
+/// arithmetic takes a tenth of the time. What overflows is taken with integers of any length.
 struct Short {
   std::int64_t above = 0;
   std::int64_t below = 1;

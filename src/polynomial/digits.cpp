@@ -13,7 +13,8 @@ namespace {
 
 // So many significant digits are nobody's choice: the number was computed, and rounded.
 constexpr double kRoundedDigits = 10;
-// Beside such numbers others are written without the zeros at their ends: one in a hundred has more than two.
+// Beside such numbers others are written without the zeros at their ends: one in a hundred has more
+// than two.
 constexpr double kZerosAtTheEnd = 2;
 // Numbers of so many digits were computed in double.
 constexpr double kDoubleDigits = 15;
@@ -36,7 +37,8 @@ Rational half_unit(std::size_t decimals) {
   return ratio(1, 2 * boost::multiprecision::pow(Integer(10), static_cast<unsigned>(decimals)));
 }
 
-/// Half a unit of the last digit; 0 where the number is meant as it stands: it has fewer significant digits than `least`.
+/// Half a unit of the last digit; 0 where the number is meant as it stands: it has fewer
+/// significant digits than `least`.
 Rational error_of(const Rational& a, double least) {
   if (a.is_zero()) return 0;
   Integer rest = denominator(a);

@@ -47,7 +47,8 @@ struct RowFacts {
   std::vector<Divisor> divisors;        // of a linear equation
 };
 
-/// An equation on its way; `origin` is its number in the file. States share what they have in common.
+/// An equation on its way; `origin` is its number in the file. States share what they have in
+/// common.
 struct Row {
   std::shared_ptr<const RowFacts> equation;
   std::size_t origin = 0;
@@ -167,13 +168,15 @@ System to_system(const State& s, const System& given) {
   return f;
 }
 
-/// Multiply-adds of value and gradient of the terms, and the dimension: what a tracker's step costs.
+/// Multiply-adds of value and gradient of the terms, and the dimension: what a tracker's step
+/// costs.
 struct Work {
   double terms = 0;
   double unknowns = 0;
 };
 
-/// Weights fitted to the time of a step of the CVODE tracker (docs/decisions/0003-when-elimination-pays.md).
+/// Weights fitted to the time of a step of the CVODE tracker
+/// (docs/decisions/0003-when-elimination-pays.md).
 double total(const Work& work) {
   constexpr double kTermWeight = 1;
   constexpr double kUnknownWeight = 150;
@@ -548,8 +551,8 @@ bool answers_more(const State& a, const Mark& b) {
          a.dependent.size() > b.dependent;
 }
 
-/// The state of least promised work on the way to the last possible substitution, or to a stop. A state that
-/// shows a contradiction or a dependence is always kept.
+/// The state of least promised work on the way to the last possible substitution, or to a stop. A
+/// state that shows a contradiction or a dependence is always kept.
 State least_work(State s, const Limits& limits) {
   combine(s, limits);
   Mark best = mark_of(s);

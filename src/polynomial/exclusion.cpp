@@ -11,14 +11,16 @@
 namespace moivre {
 namespace {
 
-// Sums and products of upper bounds lose less than this share: at most 10^4 operations a bound, 2^-53 each.
+// Sums and products of upper bounds lose less than this share: at most 10^4 operations a bound,
+// 2^-53 each.
 constexpr double kUp = 1 + 0x1p-38;
 constexpr double kDown = 1 - 0x1p-38;
 // What falls below the smallest double stays below this.
 constexpr double kTiny = 1e-300;
 // Exact coefficients an equation at most; the order is chosen by it, but is 1 at least.
 constexpr double kMostCoefficients = 3000;
-// Combinations are not made of more equations than this: their exact coefficients take n^2 products.
+// Combinations are not made of more equations than this: their exact coefficients take n^2
+// products.
 constexpr std::size_t kMostCombined = 200;
 // Terms of higher degree than this are bounded without a table of their orders.
 constexpr std::uint64_t kMostOrders = 2000;

@@ -32,8 +32,8 @@ class Account {
  public:
   explicit Account(std::uint64_t& work) : work_(work) {}
 
-  /// Reducing a fraction of L limbs takes about L^2 / 4 times a small fraction's time, and a complex
-  /// product holds four real ones and two sums, each to be reduced.
+  /// Reducing a fraction of L limbs takes about L^2 / 4 times a small fraction's time, and a
+  /// complex product holds four real ones and two sums, each to be reduced.
   void charge(const Coefficient& c) {
     constexpr std::size_t kLimb = 64;
     constexpr std::uint64_t kComplexWork = 6;
@@ -80,9 +80,11 @@ void add(TermMap& sum, Monomial monomial, const Coefficient& c, Account& account
   if (is_zero(place->second)) sum.erase(place);
 }
 
-/// Finding the place of a term among many takes as long as this many products of short coefficients.
+/// Finding the place of a term among many takes as long as this many products of short
+/// coefficients.
 constexpr std::uint64_t kSearchWork = 3;
-/// A copied term stays in memory; charging it like this many products keeps a file below some gigabytes.
+/// A copied term stays in memory; charging it like this many products keeps a file below some
+/// gigabytes.
 constexpr std::uint64_t kCopyWork = 10;
 
 /// A term times a polynomial keeps the order of the terms, so nothing is sorted.
@@ -150,7 +152,8 @@ bool has_independent_terms(const Polynomial& p) {
   return static_cast<std::size_t>(owners) + 1 >= p.terms.size();
 }
 
-/// Monomials of degree k in n letters, C(n+k-1, k), or a number above kMaximumTerms where that is above it.
+/// Monomials of degree k in n letters, C(n+k-1, k), or a number above kMaximumTerms where that is
+/// above it.
 std::uint64_t monomial_count(std::uint64_t n, std::uint64_t k) {
   std::uint64_t count = 1;
   for (std::uint64_t j = 1; j <= std::min(k, n - 1) && count <= kMaximumTerms; ++j) {
@@ -159,8 +162,9 @@ std::uint64_t monomial_count(std::uint64_t n, std::uint64_t k) {
   return count;
 }
 
-/// A bound from below on the products of terms that p^k takes, for p of two terms or more: p^j has at least
-/// j+1 terms (Hajos: a polynomial with a root of multiplicity j that is not zero has as many).
+/// A bound from below on the products of terms that p^k takes, for p of two terms or more: p^j has
+/// at least j+1 terms (Hajos: a polynomial with a root of multiplicity j that is not zero has as
+/// many).
 std::uint64_t least_products(const Polynomial& p, std::uint64_t k) {
   const std::uint64_t sum_of_terms = k * (k - 1) / 2;  // k has 32 bits
   return std::min(sum_of_terms, kMaximumWork + 1) * p.terms.size();

@@ -28,19 +28,22 @@ inline constexpr std::size_t kMaximumBits = 17'000;
 
 class Account;
 
-/// Parses and expands the expressions of one file. Faults (of the grammar, an exponent that is no integer, an unknown name, a limit
-/// passed, a coefficient out of double's range) are appended to the list given; all those of an expression are.
+/// Parses and expands the expressions of one file. Faults (of the grammar, an exponent that is no
+/// integer, an unknown name, a limit passed, a coefficient out of double's range) are appended to
+/// the list given; all those of an expression are.
 ///
-/// 1/d of a polynomial d is an unknown of its own until the denominators are cleared: unknown kFirstReciprocal + k is 1/d_k.
-/// Functions and roots of numbers (number_functions.h) are decimals of 40 digits, and count as rounded.
+/// 1/d of a polynomial d is an unknown of its own until the denominators are cleared: unknown
+/// kFirstReciprocal + k is 1/d_k.
+/// Functions and roots of numbers (number_functions.h) are decimals of 40 digits, and count as
+/// rounded.
 class Expander {
  public:
   static constexpr std::uint32_t kFirstReciprocal = 0x80000000;
 
   explicit Expander(std::vector<Diagnostic>& faults) : faults_(faults) {}
 
-  /// nullopt when something in the text, which begins at `begin`, was at fault. Only one summand's tree is
-  /// in memory at a time. Reciprocals are left in.
+  /// nullopt when something in the text, which begins at `begin`, was at fault. Only one summand's
+  /// tree is in memory at a time. Reciprocals are left in.
   std::optional<Polynomial> expand(std::string_view text, const SourcePosition& begin,
                                    const Environment& names);
 
@@ -48,8 +51,8 @@ class Expander {
   std::optional<Polynomial> expand_equation(std::string_view text, const SourcePosition& begin,
                                             const Environment& names);
 
-  /// The polynomial times the least powers of denominators that leave no reciprocal in it; nullopt and a fault at `at` where a limit is
-  /// passed.
+  /// The polynomial times the least powers of denominators that leave no reciprocal in it; nullopt
+  /// and a fault at `at` where a limit is passed.
   std::optional<Polynomial> cleared(const Polynomial& p, const SourcePosition& at);
 
   /// By which the expressions so far divide: monic, none constant, none twice.

@@ -146,7 +146,8 @@ bool GroebnerBasis::pair_up(std::size_t h) {
   return true;
 }
 
-/// None of another multiple divides it, and of one multiple the last is taken, but none beside a coprime pair.
+/// None of another multiple divides it, and of one multiple the last is taken, but none beside a
+/// coprime pair.
 bool GroebnerBasis::is_needed(const std::vector<Pair>& fresh, std::size_t k) const {
   for (std::size_t j = 0; j < fresh.size(); ++j) {
     const bool is_same = fresh[j].lcm == fresh[k].lcm;

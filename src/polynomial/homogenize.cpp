@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Multiplies every term up to the degree of its equation with powers of the homogenizing coordinate.
+// Multiplies every term up to the degree of its equation with powers of the homogenizing
+// coordinate.
 #include "moivre/polynomial/homogenize.h"
 
 #include <limits>

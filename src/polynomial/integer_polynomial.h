@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How is exact elimination kept fast? Polynomials with Gaussian integer coefficients and one exact factor outside.
+// How is exact elimination kept fast? Polynomials with Gaussian integer coefficients and one exact
+// factor outside.
 //
-// Sums and products of integers need no greatest common divisor; the content is taken out once a move. Of the multiples
-// of a polynomial by Gaussian integers one stands for all: the one whose leading coefficient is real and whose real and
-// imaginary parts have no common divisor. Without it the integers would triple with every move. Where a file's numbers were
-// rounded, errors go with the coefficients, to first order. Private to the module.
+// Sums and products of integers need no greatest common divisor; the content is taken out once a
+// move. Of the multiples of a polynomial by Gaussian integers one stands for all: the one whose
+// leading coefficient is real and whose real and imaginary parts have no common divisor. Without it
+// the integers would triple with every move. Where a file's numbers were rounded, errors go with
+// the coefficients, to first order. Private to the module.
 #pragma once
 
 #include <cstddef>
@@ -62,7 +64,8 @@ void make_primitive(IntegerPolynomial& p);
 /// The same zeros with a positive real integer coefficient at `m` (which must have a nonzero one).
 IntegerPolynomial with_real_coefficient(const IntegerPolynomial& p, const Monomial& m);
 
-/// p minus the multiple of `pivot` that removes the monomial `m`. The coefficient of `m` in `pivot`: a positive integer.
+/// p minus the multiple of `pivot` that removes the monomial `m`. The coefficient of `m` in
+/// `pivot`: a positive integer.
 IntegerPolynomial without_monomial(const IntegerPolynomial& p, const IntegerPolynomial& pivot,
                                    const Monomial& m);
 

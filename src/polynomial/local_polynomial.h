@@ -35,7 +35,8 @@ struct LocalOrder {
 template <class S>
 using LocalPolynomial = std::map<Exponents, S, LocalOrder>;
 
-/// All monomials in n unknowns of degree k at most, by ascending degree; empty where there are more than `most`.
+/// All monomials in n unknowns of degree k at most, by ascending degree; empty where there are more
+/// than `most`.
 std::vector<Exponents> monomials(std::size_t n, std::uint64_t k, std::size_t most);
 
 /// Sums and products of rounded numbers, as a PrimeField has those of residues.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which rows modulo a prime are independent? Rows of a matrix reduced as they come. Private to the module.
+// Which rows modulo a prime are independent? Rows of a matrix reduced as they come. Private to the
+// module.
 #pragma once
 
 #include <cstddef>

@@ -2,7 +2,8 @@
 // What is det(df_i / dx_j) modulo the prime and the ideal of a Groebner basis, but for its sign?
 //
 //   f: n polynomials in the unknowns 0 .. n - 1
-// By the columns of the first 1, 2, ... rows, each set of them once: 2^n n products. Private to the module.
+// By the columns of the first 1, 2, ... rows, each set of them once: 2^n n products. Private to the
+// module.
 #pragma once
 
 #include "modular_polynomial.h"

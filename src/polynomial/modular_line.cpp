@@ -52,7 +52,8 @@ std::size_t distinct_roots(const PrimeField& field, const Line& p) {
   return p.size() - 1 - degree_of_gcd(field, p, derivative(field, p));
 }
 
-// c, from c_0 = 1 on, is the recurrence so far; `before`, what it was until its length last changed, failed by `failed_by`.
+// c, from c_0 = 1 on, is the recurrence so far; `before`, what it was until its length last
+// changed, failed by `failed_by`.
 Line minimal_polynomial(const PrimeField& field, const std::vector<Residue>& s) {
   Line c{1};
   Line before{1};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What can be told of a polynomial in one unknown modulo the prime: its gcd with others, its different roots, and which one a
-// sequence obeys?
+// What can be told of a polynomial in one unknown modulo the prime: its gcd with others, its
+// different roots, and which one a sequence obeys?
 //
 // Degrees are less than the prime. Private to the module. Sources: [Massey69], [Wiedemann86].
 #pragma once
@@ -22,7 +22,8 @@ std::size_t degree_of_gcd(const PrimeField& field, Line a, Line b);
 /// In whatever field; of p other than 0.
 std::size_t distinct_roots(const PrimeField& field, const Line& p);
 
-/// The shortest recurrence p_0 s_k + ... + p_L s_{k+L} = 0 of the sequence, p_L = 1; for the one there is, the sequence has 2 L numbers.
+/// The shortest recurrence p_0 s_k + ... + p_L s_{k+L} = 0 of the sequence, p_L = 1; for the one
+/// there is, the sequence has 2 L numbers.
 Line minimal_polynomial(const PrimeField& field, const std::vector<Residue>& s);
 
 }  // namespace moivre

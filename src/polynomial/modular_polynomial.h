@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a polynomial modulo the prime reduced by others? Term after term in the degree reverse lexicographic order.
+// How is a polynomial modulo the prime reduced by others? Term after term in the degree reverse
+// lexicographic order.
 //
 // Not supported: more than 15 unknowns, degrees beyond 255. Private to the module.
 #pragma once
@@ -56,7 +57,8 @@ class TermBudget {
   std::uint64_t left_;
 };
 
-/// No term of what is left is a multiple of a leading monomial of `basis`. nullopt, too, where the budget is used up.
+/// No term of what is left is a multiple of a leading monomial of `basis`. nullopt, too, where the
+/// budget is used up.
 std::optional<ModularPolynomial> reduced(const PrimeField& field, ModularPolynomial p,
                                          const std::vector<const ModularPolynomial*>& basis,
                                          TermBudget& budget);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are these rows surely independent? Rank modulo a prime, a lower bound for the exact rank. Private to the module.
+// Are these rows surely independent? Rank modulo a prime, a lower bound for the exact rank. Private
+// to the module.
 #pragma once
 
 #include <cstdint>

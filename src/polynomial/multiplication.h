@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What becomes of an element of the quotient ring that is multiplied by a linear form? One matrix modulo the prime.
+// What becomes of an element of the quotient ring that is multiplied by a linear form? One matrix
+// modulo the prime.
 //
 //   basis   the monomials under the staircase, ascending; D of them
 //   M       column j: the normal form of (c_1 x_1 + ... + c_n x_n) basis_j
 //
-// Its minimal polynomial has the values of the form at the roots as roots [Wiedemann86]. Private to the module.
+// Its minimal polynomial has the values of the form at the roots as roots [Wiedemann86]. Private to
+// the module.
 #pragma once
 
 #include "groebner_basis.h"

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What are sqrt(2), 2^(1/3), pi and cos(0.3)? Numbers of a text that no fraction is: the decimals of 40 digits nearest to them.
+// What are sqrt(2), 2^(1/3), pi and cos(0.3)? Numbers of a text that no fraction is: the decimals
+// of 40 digits nearest to them.
 //
-// Whole results are exact: sqrt(4) is 2. Others count as rounded (digits.h), to a double's error, as if their digits had been typed.
+// Whole results are exact: sqrt(4) is 2. Others count as rounded (digits.h), to a double's error,
+// as if their digits had been typed.
 #pragma once
 
 #include <optional>
@@ -11,7 +13,8 @@
 
 namespace moivre {
 
-/// nullopt where the function has no real value there, or one beyond double, or the angle is beyond 1e6.
+/// nullopt where the function has no real value there, or one beyond double, or the angle is beyond
+/// 1e6.
 using NumberFunction = std::optional<Rational> (*)(const Rational& x);
 
 /// sqrt, cbrt, exp, log, sin, cos, tan, asin, acos, atan; nullptr where there is none of that name.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The system moved to the approximate root, what is not known of it, and ranks that this cannot take away.
+// The system moved to the approximate root, what is not known of it, and ranks that this cannot
+// take away.
 #include "moivre/polynomial/numerical_multiplicity.h"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ struct KnownPolynomial {
   LocalPolynomial<double> noise;
 };
 
-/// sum over j of e (a_j + 1) |c_(a + e_j)|: for all a, what a step of e in every coordinate changes to the first order.
+/// sum over j of e (a_j + 1) |c_(a + e_j)|: for all a, what a step of e in every coordinate changes
+/// to the first order.
 LocalPolynomial<double> first_order(const LocalPolynomial<double>& sizes, double e) {
   LocalPolynomial<double> change;
   for (const auto& [m, c] : sizes) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Patches of homogeneous groups: one linear equation each, and points scaled so that they do not depend on it.
+// Patches of homogeneous groups: one linear equation each, and points scaled so that they do not
+// depend on it.
 #include "moivre/polynomial/patches.h"
 
 #include <algorithm>

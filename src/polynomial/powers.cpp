@@ -92,7 +92,8 @@ Line on_a_line(const Polynomial& f) {
   return interpolated(std::move(values));
 }
 
-/// f is no higher power than this: a power of e has deg f / e different points on a line at most. Nearly always 1 if f is none.
+/// f is no higher power than this: a power of e has deg f / e different points on a line at most.
+/// Nearly always 1 if f is none.
 std::uint64_t most_exponent(const Polynomial& f) {
   const Line p = on_a_line(f);
   if (p.size() < 2) return 1;
@@ -102,7 +103,8 @@ std::uint64_t most_exponent(const Polynomial& f) {
 
 /// g with f = g^exponent, for f and g of leading coefficient 1.
 ///
-/// Terms of g are found from the highest down: f - (g so far)^exponent begins with exponent * lt(g)^(exponent - 1) times the next one.
+/// Terms of g are found from the highest down: f - (g so far)^exponent begins with exponent *
+/// lt(g)^(exponent - 1) times the next one.
 std::optional<Polynomial> base_of(const Polynomial& f, std::uint32_t exponent) {
   const Monomial& leading = f.terms.front().monomial;
   Polynomial g{{{{Rational(1), Rational(0)}, root_of(leading, exponent)}}};

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Exact algebra at the price of machine words: numbers modulo a prime. Which prime?
 //
-//   p = 2^61 - c, c < 2^30; 1 modulo 4, so that -1 has a square root and Gaussian rationals have images
+//   p = 2^61 - c, c < 2^30; 1 modulo 4, so that -1 has a square root and Gaussian rationals have
+//   images
 //
-// What is independent modulo p is independent. The converse, and that an image 0 comes from 0, fails for the few primes that divide some
-// number met on the way. Of a prime that is known beforehand, systems can be made for which it fails. So it is drawn after the system is
-// known, by a hash of all its numbers, from some ten million primes, and divides none of these numbers: then it fails with
-// probability about 1e-18 for each number met, unless somebody searches for a system that draws the prime it is made for.
+// What is independent modulo p is independent. The converse, and that an image 0 comes from 0,
+// fails for the few primes that divide some number met on the way. Of a prime that is known
+// beforehand, systems can be made for which it fails. So it is drawn after the system is known, by
+// a hash of all its numbers, from some ten million primes, and divides none of these numbers: then
+// it fails with probability about 1e-18 for each number met, unless somebody searches for a system
+// that draws the prime it is made for.
 // Private to the module. Source: primality by twelve bases [SorensonWebster17].
 #pragma once
 
@@ -27,7 +30,8 @@ class PrimeField {
  public:
   /// 2^61 - 31: where a prime that divides too much makes work and no error.
   constexpr PrimeField() = default;
-  /// Its prime divides no numerator and no denominator of f, nor maps a number other than 0 to 0. seed: another one draws another prime.
+  /// Its prime divides no numerator and no denominator of f, nor maps a number other than 0 to 0.
+  /// seed: another one draws another prime.
   explicit PrimeField(const System& f, std::uint64_t seed = 1);
 
   /// So many products of residues and one residue are no more than a sum holds.
@@ -67,7 +71,8 @@ class PrimeField {
 
   explicit constexpr PrimeField(std::uint64_t offset) : offset_(offset) {}
 
-  /// Of less than 2^122: then the first sum is less than 2^92, the second less than twice the prime.
+  /// Of less than 2^122: then the first sum is less than 2^92, the second less than twice the
+  /// prime.
   constexpr Residue reduced_product(WideSum a) const {
     const WideSum once = (a & kLow) + WideSum{static_cast<Residue>(a >> 61)} * offset_;
     const Residue twice =

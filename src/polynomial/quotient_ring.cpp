@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Monomials under a staircase, a random multiplication among them, and the inverse of a determinant beside.
+// Monomials under a staircase, a random multiplication among them, and the inverse of a determinant
+// beside.
 #include "moivre/polynomial/quotient_ring.h"
 
 #include <utility>
@@ -17,8 +18,8 @@ namespace {
 // In the time of a term, beside each other in memory.
 constexpr std::uint64_t kMultiplicationsOfATerm = 2;
 
-// Random numbers: coefficients of the linear form, then of two vectors. Of a form that is known beforehand a system can be made in which
-// two roots have one value.
+// Random numbers: coefficients of the linear form, then of two vectors. Of a form that is known
+// beforehand a system can be made in which two roots have one value.
 constexpr std::uint64_t kFirstOfVectors = 1000;
 Residue random_residue(const PrimeField& field, std::uint64_t i) {
   return random_bits(field.seed(), RandomStream::algebra, i) % field.prime();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A random rational that is neither negligible nor large: +-a, a in [1/2, 3/2], of few bits. Private to the module.
+// A random rational that is neither negligible nor large: +-a, a in [1/2, 3/2], of few bits.
+// Private to the module.
 #pragma once
 
 #include <cmath>

@@ -18,7 +18,8 @@ System read_msolve(const Source& source, std::vector<Diagnostic>& faults);
 /// Its parameters are the last unknowns.
 ParametricSystem read_julia(const Source& source, std::vector<Diagnostic>& faults);
 
-/// Does the text, without comments, begin as msolve's does, or hold HomotopyContinuation.jl's declarations?
+/// Does the text, without comments, begin as msolve's does, or hold HomotopyContinuation.jl's
+/// declarations?
 bool looks_like_msolve(std::string_view text);
 bool looks_like_julia(std::string_view text);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Texts that list their polynomials with commas between: msolve's, and the Julia of HomotopyContinuation.jl.
+// Texts that list their polynomials with commas between: msolve's, and the Julia of
+// HomotopyContinuation.jl.
 #include <algorithm>
 #include <map>
 #include <set>

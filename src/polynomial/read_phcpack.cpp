@@ -101,7 +101,8 @@ std::size_t heading_in(std::string_view text) {
   return text.size();
 }
 
-/// The lines that hold something; none unless each has one `=`, so that no line can go on with another.
+/// The lines that hold something; none unless each has one `=`, so that no line can go on with
+/// another.
 std::vector<Statement> equations_by_line(const Statement& text) {
   std::vector<Statement> equations;
   std::string_view rest = text.text;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A Krylov sequence in the quotient ring, its recurrence, and the numerators of its generating functions.
+// A Krylov sequence in the quotient ring, its recurrence, and the numerators of its generating
+// functions.
 #include "moivre/polynomial/ring_image.h"
 
 #include "groebner_basis.h"
@@ -12,7 +13,8 @@ namespace {
 
 // A product in the time of half a term (quotient_ring.cpp).
 constexpr std::uint64_t kProductsOfATerm = 2;
-// Coefficients of the forms: as small as they may be and yet different, since m's coefficients grow with them.
+// Coefficients of the forms: as small as they may be and yet different, since m's coefficients grow
+// with them.
 constexpr std::uint64_t kCoefficients = 1024;
 constexpr std::uint64_t kFirstOfForm = 2000, kFirstOfFunctional = 3000;
 

@@ -19,7 +19,8 @@ Monomial lowered(const Monomial& m, std::size_t position) {
   return result;
 }
 
-/// Registers of monomials; a monomial is multiplied out once, from parts that are shared in their turn.
+/// Registers of monomials; a monomial is multiplied out once, from parts that are shared in their
+/// turn.
 class Products {
  public:
   explicit Products(Tape& tape) : tape_(tape) {}

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Structure of a system: degrees, terms, what elimination and scaling would do, paths of each start system.
+// Structure of a system: degrees, terms, what elimination and scaling would do, paths of each start
+// system.
 #include "moivre/report/info.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The layout of JSON reports: lines for the members of the report and the elements of its lists of objects, none deeper.
+// The layout of JSON reports: lines for the members of the report and the elements of its lists of
+// objects, none deeper.
 #include "moivre/report/json_writer.h"
 
 namespace moivre {

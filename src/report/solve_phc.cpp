@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A solve as PHCpack writes it: the system, then THE SOLUTIONS, each with t, m, coordinates, err, rco and res.
+// A solve as PHCpack writes it: the system, then THE SOLUTIONS, each with t, m, coordinates, err,
+// rco and res.
 #include <algorithm>
 #include <cmath>
 

@@ -68,7 +68,8 @@ Query& Query::with(double value) {
   return *this;
 }
 
-// NOLINTBEGIN(performance-no-int-to-ptr, cppcoreguidelines-pro-type-cstyle-cast): SQLite's own constant
+// NOLINTBEGIN(performance-no-int-to-ptr, cppcoreguidelines-pro-type-cstyle-cast): SQLite's own
+// constant
 Query& Query::with_text(std::string_view value) {
   sqlite3_bind_text64(statement_, ++bound_, value.data(), value.size(), SQLITE_TRANSIENT,
                       SQLITE_UTF8);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Who writes this file? One process at a time: it holds a lock that the kernel lets go when the process ends, however it ends.
+// Who writes this file? One process at a time: it holds a lock that the kernel lets go when the
+// process ends, however it ends.
 //
-// Private to the module. SQLite's own locks are of another kind, and lost where any descriptor of the file is closed: this one stays open as
-// long as the database.
+// Private to the module. SQLite's own locks are of another kind, and lost where any descriptor of
+// the file is closed: this one stays open as long as the database.
 #pragma once
 
 #include <sys/types.h>
@@ -13,7 +14,8 @@ namespace moivre {
 
 class FileLock {
  public:
-  /// Makes an empty file where there is none. Throws std::invalid_argument where the file is no database, cannot be written, or is locked.
+  /// Makes an empty file where there is none. Throws std::invalid_argument where the file is no
+  /// database, cannot be written, or is locked.
   explicit FileLock(const std::string& path);
   ~FileLock();
   FileLock(const FileLock&) = delete;

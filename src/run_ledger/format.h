@@ -24,13 +24,15 @@ std::int64_t checksum_of(std::string_view place, std::int64_t number, std::strin
 bool is_new(Database& database);
 /// Makes the tables of a new ledger, all at once.
 void make_tables(Database& database, const RunIdentity& identity);
-/// Throws std::invalid_argument where the file is no ledger of this format. `path` is its name in the message.
+/// Throws std::invalid_argument where the file is no ledger of this format. `path` is its name in
+/// the message.
 void require_format(Database& database, const std::string& path);
 RunIdentity identity_of(Database& database);
 
 /// The rows of each list.
 using RowsOfLists = std::map<Fingerprint, std::vector<std::int64_t>>;
-/// Reads all of the file. Throws std::invalid_argument where something in it is not what was written.
+/// Reads all of the file. Throws std::invalid_argument where something in it is not what was
+/// written.
 RowsOfLists checked_rows(Database& database, const std::string& path);
 
 /// The outcomes in these rows. Throws std::invalid_argument.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A ledger that is open: what is pending, the thread that commits it, and the lock that keeps other writers out.
+// A ledger that is open: what is pending, the thread that commits it, and the lock that keeps other
+// writers out.
 #include "moivre/run_ledger/run_ledger.h"
 
 #include <algorithm>

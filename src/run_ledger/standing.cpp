@@ -16,7 +16,8 @@
 namespace moivre {
 namespace {
 
-/// Held together by all who read. Whether a run is writing is asked by the lock that it holds; asking takes it for an instant only.
+/// Held together by all who read. Whether a run is writing is asked by the lock that it holds;
+/// asking takes it for an instant only.
 class Reading {
  public:
   explicit Reading(const std::string& path) : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {

@@ -15,8 +15,9 @@
 namespace moivre {
 namespace {
 
-// A singular root may be the mean of near ones. Where three of them are together and one apart, that one is 2.3 times as far
-// away as the m-th root of the residual says, which is what the accuracy comes from; and circles have little margin.
+// A singular root may be the mean of near ones. Where three of them are together and one apart,
+// that one is 2.3 times as far away as the m-th root of the residual says, which is what the
+// accuracy comes from; and circles have little margin.
 constexpr double kSingularMargin = 4;
 
 constexpr std::uint64_t PathCounts::*kCounts[]{
@@ -45,7 +46,8 @@ void enter_places(const std::vector<std::vector<std::uint64_t>>& groups, SolveRe
   }
 }
 
-/// What a run comes to in the end: the roots, what has failed, and the paths of which it was not found out what they end at.
+/// What a run comes to in the end: the roots, what has failed, and the paths of which it was not
+/// found out what they end at.
 struct Outcome {
   std::vector<std::vector<std::uint64_t>> groups;
   std::vector<FailedPath> failures;
@@ -79,7 +81,8 @@ void enter_simple_ones(const Run& run, const std::vector<std::uint64_t>& group, 
   }
 }
 
-/// Singular ends: whole cycles at a root that is known to be isolated, or ends on a set that is known.
+/// Singular ends: whole cycles at a root that is known to be isolated, or ends on a set that is
+/// known.
 bool is_known_to_stand(const Run& run, const std::vector<std::uint64_t>& group) {
   const Root& first = run.ledger.roots().at(group.front());
   if (first.is_exact) return true;
@@ -171,8 +174,8 @@ void require_all_entries(const Run& run) {
                          std::to_string(run.ledger.tracked()) + " have a verdict");
 }
 
-/// Of a singular root that is told as `best`. Ends further away than both are known to be may be those of other roots, which
-/// the accuracy then covers.
+/// Of a singular root that is told as `best`. Ends further away than both are known to be may be
+/// those of other roots, which the accuracy then covers.
 double accuracy_of_group(const Run& run, const std::vector<std::uint64_t>& group,
                          const Refined& best) {
   double accuracy = kSingularMargin * best.accuracy;
@@ -188,8 +191,8 @@ std::string decided_text(const PathCounts& paths) {
   return paths.not_needed == 0 ? "every path was decided" : "every path was decided or not needed";
 }
 
-/// So far from the point that is told, relative to max(1, |x|_inf), the roots of a cluster may lie: as far as double parts ends of paths, or
-/// as the residual leaves open.
+/// So far from the point that is told, relative to max(1, |x|_inf), the roots of a cluster may lie:
+/// as far as double parts ends of paths, or as the residual leaves open.
 double radius_of_cluster(const Run& run, const std::vector<std::uint64_t>& group,
                          const Refined& best) {
   // What a residual in double tells nothing of.

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What is the result of a run? Paths that end at one point are one solution, and every path is counted once.
+// What is the result of a run? Paths that end at one point are one solution, and every path is
+// counted once.
 //
-//   tracked = finite + at_infinity + failed + not_needed;  finite = sum of multiplicities + on_positive_dimensional
+//   tracked = finite + at_infinity + failed + not_needed;  finite = sum of multiplicities +
+//   on_positive_dimensional
 //
 // Ends on a set of positive dimension are counted, and are no solutions.
 #pragma once
@@ -10,7 +12,8 @@
 
 namespace moivre {
 
-/// The solution of the paths `group`, all of them finite ends at one point, of cycles of these winding numbers.
+/// The solution of the paths `group`, all of them finite ends at one point, of cycles of these
+/// winding numbers.
 Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
                      const std::vector<int>& winding);
 

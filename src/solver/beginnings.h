@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where does each path set out on the plan's last stage? Its start point, or where the stages before have brought it.
+// Where does each path set out on the plan's last stage? Its start point, or where the stages
+// before have brought it.
 //
-// A plan of one stage: start points as they are asked for. Of several: a block of paths at a time is followed through the
-// early stages, so that no more points are kept than a block's and the lanes stay full.
+// A plan of one stage: start points as they are asked for. Of several: a block of paths at a time
+// is followed through the early stages, so that no more points are kept than a block's and the
+// lanes stay full.
 #pragma once
 
 #include <atomic>
@@ -28,7 +30,8 @@ struct Beginning {
 /// The first stage's.
 Beginning first_beginning(const StartPlan& plan, std::uint64_t path);
 
-/// Where the path departs on a stage, by whatever follows it there: `watcher` sees its steps on early stages too.
+/// Where the path departs on a stage, by whatever follows it there: `watcher` sees its steps on
+/// early stages too.
 Departure departure_of(const Beginning& beginning, int care, Watcher* watcher = nullptr);
 
 /// Takes the arrival on an early stage of the plan into the beginning of the next one.
@@ -42,7 +45,8 @@ class Beginnings {
 
   Beginnings(const StartPlan& plan, const Tracker& tracker, int care, std::size_t block, Draw draw);
 
-  /// Follows the next block of paths to the last stage. False when there is none; nothing to do where the plan has one stage.
+  /// Follows the next block of paths to the last stage. False when there is none; nothing to do
+  /// where the plan has one stage.
   bool advance(const std::atomic<bool>& stop);
   /// The next path: of the block, or of all where the plan has one stage.
   std::optional<Beginning> next();

@@ -38,8 +38,8 @@ class MeetingSheets {
     for (const std::uint64_t path : paths()) before_.emplace(path, root(path));
   }
 
-  /// In double-double: all, where they go together, else a few of one end. Then the first ones in more digits as long as that helps; all of
-  /// them as long as a root is missing.
+  /// In double-double: all, where they go together, else a few of one end. Then the first ones in
+  /// more digits as long as that helps; all of them as long as a root is missing.
   void follow() {
     const Trackers& trackers = run_.setting.trackers;
     if (trackers.fine_lanes) {
@@ -53,8 +53,9 @@ class MeetingSheets {
     }
   }
 
-  /// Where no simple root is proved the end is what it was. But where a path has a regular end elsewhere its circles were none: what the
-  /// others of them end at is not known, nor what two end at that come to one place.
+  /// Where no simple root is proved the end is what it was. But where a path has a regular end
+  /// elsewhere its circles were none: what the others of them end at is not known, nor what two end
+  /// at that come to one place.
   void conclude() {
     std::map<std::uint64_t, Point> elsewhere;
     for (const auto& [path, before] : before_) {

@@ -16,8 +16,8 @@ CertifyOptions certify_options(double farthest = kFarthestRoot, int most_bits = 
   return options;
 }
 
-/// Those of the group that are proved to be different: simple roots by their certificates, multiple ones that are known exactly by their
-/// places. Ends of which neither is known stay with the first.
+/// Those of the group that are proved to be different: simple roots by their certificates, multiple
+/// ones that are known exactly by their places. Ends of which neither is known stay with the first.
 std::vector<std::vector<std::uint64_t>> parted(const Run& run, Certifier& certifier,
                                                const std::vector<std::uint64_t>& group) {
   std::vector<std::uint64_t> proved;

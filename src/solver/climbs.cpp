@@ -22,7 +22,8 @@ constexpr std::size_t kFirstAhead = 2;
 
 using Groups = std::vector<std::vector<std::uint64_t>>;
 
-/// The paths of isolated ends at which several meet and some show no simple root: those, by the first of them.
+/// The paths of isolated ends at which several meet and some show no simple root: those, by the
+/// first of them.
 std::map<std::uint64_t, PathSet> clusters_in(const Run& run, const Groups& groups) {
   std::map<std::uint64_t, PathSet> clusters;
   for (const auto& group : groups) {
@@ -81,7 +82,8 @@ bool has_helped(const Run& run, const PathSet& ahead) {
                      [&](auto path) { return has_climbed_to_a_simple_root(run, path); });
 }
 
-/// Paths that are open, and those whose ends are told without a proof, unless they were followed in all digits.
+/// Paths that are open, and those whose ends are told without a proof, unless they were followed in
+/// all digits.
 PathSet unproved_paths(const Run& run) {
   PathSet paths = unsettled_paths(run);
   for (const auto& [path, root] : run.ledger.roots()) {
@@ -99,7 +101,8 @@ PathSet paths_at_infinity(const Run& run) {
   return paths;
 }
 
-/// Whether the paths that end there are as many as exact algebra counts of a root that is known exactly.
+/// Whether the paths that end there are as many as exact algebra counts of a root that is known
+/// exactly.
 bool is_counted_exactly(Run& run, const Root& end, std::size_t paths) {
   const std::vector<ExactRoot> exact = exact_roots(run);
   return std::any_of(exact.begin(), exact.end(), [&](const ExactRoot& root) {

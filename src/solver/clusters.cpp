@@ -22,8 +22,9 @@ namespace {
 
 using Proofs = std::vector<std::shared_ptr<const Certificate>>;
 
-// Of a true multiple root each bit takes a step or more, and each step what a certificate does: no more bits than one step of
-// precisions beyond double. The certifier takes more where it sees a simple root.
+// Of a true multiple root each bit takes a step or more, and each step what a certificate does: no
+// more bits than one step of precisions beyond double. The certifier takes more where it sees a
+// simple root.
 constexpr int kBits = 128;
 // Newton's method goes so many times the cluster's radius at most.
 constexpr double kWay = 4;
@@ -47,8 +48,9 @@ Point softest_direction(const Setting& setting, const Root& end) {
   return Refiner(setting.refiner_program).softest(beside(end, d, 1), d);
 }
 
-/// Different roots proved beside the end that no other path holds; no more are looked for than there are paths. How well it
-/// is known does not matter: a root that no path holds is one that these have missed.
+/// Different roots proved beside the end that no other path holds; no more are looked for than
+/// there are paths. How well it is known does not matter: a root that no path holds is one that
+/// these have missed.
 Proofs roots_beside(const Run& run, const Root& end, std::size_t paths) {
   const Setting& setting = run.setting;
   const Point d = softest_direction(setting, end);
@@ -65,15 +67,16 @@ Proofs roots_beside(const Run& run, const Root& end, std::size_t paths) {
   return found;
 }
 
-/// What is known of a cluster: different roots that are proved beside it, or that it is none, or nothing.
+/// What is known of a cluster: different roots that are proved beside it, or that it is none, or
+/// nothing.
 struct Finding {
   Proofs roots;
   bool is_refuted = false;
   bool is_on_curve = false;
 };
 
-/// Of the first of the fractions near the end that are a root, unless that is a simple one, another one beside it. nullopt: none is, or
-/// nothing can be said.
+/// Of the first of the fractions near the end that are a root, unless that is a simple one, another
+/// one beside it. nullopt: none is, or nothing can be said.
 std::optional<LocalRing> exact_ring(const System& f, const Root& end) {
   for (const auto& candidate : fractions_near(end.point.x, end.tolerance)) {
     const auto ring = local_ring(f, candidate);
@@ -82,7 +85,8 @@ std::optional<LocalRing> exact_ring(const System& f, const Root& end) {
   return std::nullopt;
 }
 
-/// The roots that the end may be have a local ring of as many dimensions as paths end there, and it does not grow; or nothing can be said.
+/// The roots that the end may be have a local ring of as many dimensions as paths end there, and it
+/// does not grow; or nothing can be said.
 bool is_shown(const System& f, const Root& end, std::size_t paths) {
   const double error = end.point.accuracy * std::max(1.0, max_norm(end.point.x));
   const auto ring = local_ring_near(f, end.point.x, error);
@@ -102,7 +106,8 @@ Finding look_into(const Run& run, const Root& end, std::size_t paths) {
   return finding;
 }
 
-/// Groups of ends at which no simple root was found, that are isolated, and that exact algebra has not counted.
+/// Groups of ends at which no simple root was found, that are isolated, and that exact algebra has
+/// not counted.
 std::vector<std::vector<std::uint64_t>> clusters_of(const Run& run) {
   std::vector<std::vector<std::uint64_t>> clusters;
   for (auto& group : judge(run).roots) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which of many points are the same point? Groups of points nearer to each other than they are known.
+// Which of many points are the same point? Groups of points nearer to each other than they are
+// known.
 //
 // Two points coincide when |x - y|_inf <= (tolerance_x + tolerance_y) max(1, |x|_inf). Groups are
 // the connected components of that relation. O(N log N) unless many points share one projection.

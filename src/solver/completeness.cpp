@@ -22,8 +22,8 @@ namespace {
 
 // Steps of a search that are always worth it: some milliseconds.
 constexpr std::uint64_t kLeastSearch = 10'000;
-// Terms of the algebra that are always worth it, some thirty milliseconds at most; beyond them, a share of what the paths cost, in
-// multiply-adds a term.
+// Terms of the algebra that are always worth it, some thirty milliseconds at most; beyond them, a
+// share of what the paths cost, in multiply-adds a term.
 constexpr double kLeastTerms = 3'000'000;
 constexpr double kAlgebraShare = 0.5;
 // Some ten seconds.
@@ -65,7 +65,8 @@ bool lacks_origin(const System& f) {
                      [](const Support& support) { return lacks_origin(support); });
 }
 
-/// The stable mixed volume, where two liftings agree; it is the mixed volume where no support lacks 0.
+/// The stable mixed volume, where two liftings agree; it is the mixed volume where no support lacks
+/// 0.
 std::optional<std::uint64_t> verified_volume(const Run& run, const System& f) {
   const std::uint64_t seed = run.setting.options.seed;
   const CellSearchOptions search = bounded_search(run, f);
@@ -76,7 +77,8 @@ std::optional<std::uint64_t> verified_volume(const Run& run, const System& f) {
   return first;
 }
 
-/// Where it may be `roots` as far as the start has counted it, and the start was not told to give the search up.
+/// Where it may be `roots` as far as the start has counted it, and the start was not told to give
+/// the search up.
 bool is_worth_a_search(const Run& run, std::uint64_t roots) {
   const Setting& setting = run.setting;
   const auto counted = setting.prepared.start.counts.mixed_volume.paths;
@@ -132,8 +134,8 @@ std::optional<MetBound> ring_or_volume_met_by(Run& run, std::uint64_t roots) {
   return std::nullopt;
 }
 
-/// Roots at 0 and curves on which coordinates vanish leave it as it is. Of the same `points` it is asked once, unless another search is
-/// worth it.
+/// Roots at 0 and curves on which coordinates vanish leave it as it is. Of the same `points` it is
+/// asked once, unless another search is worth it.
 std::optional<MetBound> strata_met_by(Run& run, std::uint64_t points) {
   const System& f = run.setting.f;
   if (!lacks_origin(f)) return std::nullopt;
@@ -164,7 +166,8 @@ std::optional<MetBound> bound_met_by(Run& run, std::uint64_t roots, std::uint64_
   return met ? met : strata_met_by(run, points);
 }
 
-/// Sets bounds.met where `roots`, proved and with their multiplicities, or their `points` meet a bound.
+/// Sets bounds.met where `roots`, proved and with their multiplicities, or their `points` meet a
+/// bound.
 bool meets_bound(Run& run, std::uint64_t roots, std::uint64_t points) {
   if (run.interrupted || run.setting.stop) return false;
   std::optional<MetBound>& met = run.bounds.met;
@@ -238,7 +241,8 @@ class Places {
   std::vector<ExactRoot> places_;
 };
 
-/// Ends at no root that is proved, counted, or on a set of positive dimension. Where exact algebra counts the roots there is no such set.
+/// Ends at no root that is proved, counted, or on a set of positive dimension. Where exact algebra
+/// counts the roots there is no such set.
 std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
   const bool may_be_on_sets = run.bounds.ring.verdict != QuotientRing::Verdict::finite;
   std::vector<std::uint64_t> spare;
@@ -331,7 +335,8 @@ std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveR
   if (run.bounds.lacks_paths && run.setting.prepared.leads_to_all)
     return "fewer paths end at a multiple root than it has to have";
   const QuotientRing& ring = run.bounds.ring;
-  // Ends that the digits of the file do not tell from infinity may be roots of the file to the letter.
+  // Ends that the digits of the file do not tell from infinity may be roots of the file to the
+  // letter.
   const std::uint64_t hidden = run.ledger.count(PathVerdict::as_rounded);
   const auto is_between = [&](std::uint64_t count, std::uint64_t found) {
     return found <= count && count <= found + hidden;

@@ -13,11 +13,12 @@
 namespace moivre {
 namespace {
 
-// Two reports of one simple root differ by their accuracies and rounding; singular ones are known less well, and ends
-// as a tracker leaves them are not refined.
+// Two reports of one simple root differ by their accuracies and rounding; singular ones are known
+// less well, and ends as a tracker leaves them are not refined.
 constexpr double kSimpleTolerance = 1e-10;
 constexpr double kLooseTolerance = 1e-6;
-// Disagreements that are settled by following the path again: more of them mean a tracker that does not work.
+// Disagreements that are settled by following the path again: more of them mean a tracker that does
+// not work.
 constexpr std::size_t kMostSettled = 64;
 constexpr int kSettlingCare = 2;
 
@@ -40,7 +41,8 @@ std::optional<Point> point_at(const ByPath& roots, std::uint64_t path) {
   return found->second->x;
 }
 
-/// The root among `roots` that is `root`, the one of the same path first; nullptr where there is none.
+/// The root among `roots` that is `root`, the one of the same path first; nullptr where there is
+/// none.
 const Solution* counterpart(const Solution& root, const ByPath& roots) {
   const auto own = roots.find(root.path);
   if (own != roots.end() && is_same(root, *own->second)) return own->second;

@@ -15,7 +15,8 @@
 namespace moivre {
 namespace {
 
-/// How far the value may be from zero by rounding and by the root's error, as if every factor of every term were off by it.
+/// How far the value may be from zero by rounding and by the root's error, as if every factor of
+/// every term were off by it.
 bool is_zero_at(const Polynomial& d, const Solution& root) {
   constexpr double kOperations = 8;
   constexpr double kUnit = 0x1p-53;
@@ -35,7 +36,8 @@ bool is_zero_at(const Polynomial& d, const Solution& root) {
   return std::abs(value_at(d, root.x)) <= rounding + 2 * of_root * moved;
 }
 
-/// The number of roots off the denominators, with multiplicity; nullopt where exact algebra does not tell.
+/// The number of roots off the denominators, with multiplicity; nullopt where exact algebra does
+/// not tell.
 std::optional<std::uint64_t> count_off(const System& f) {
   if (!coefficient_errors(f).empty()) return std::nullopt;
   System off = f;

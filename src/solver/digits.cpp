@@ -16,12 +16,14 @@ namespace moivre {
 
 namespace {
 
-/// Beside coordinates of 1e16 two roots may be one in double: Newton's method may come to the other one.
+/// Beside coordinates of 1e16 two roots may be one in double: Newton's method may come to the other
+/// one.
 bool leads_elsewhere(const ReferenceRoot& found, const Solution& root) {
   return found.forward_error > std::max(root.accuracy, std::numeric_limits<double>::epsilon() / 2);
 }
 
-/// False: another simple root may be the one that was found. Their points are one as far as they are known.
+/// False: another simple root may be the one that was found. Their points are one as far as they
+/// are known.
 bool is_told_apart(const std::vector<Solution>& roots, std::size_t k) {
   const Point& x = roots[k].x;
   for (std::size_t other = 0; other < roots.size(); ++other) {

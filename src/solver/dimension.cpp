@@ -25,17 +25,21 @@ constexpr double kSureOfLimit = 10;
 // A root further away than so many steps is not the neighbour that is looked for.
 constexpr double kNeighbourhood = 20;
 constexpr int kMaximumIterations = 60;
-// An iteration count within which |F| halves wherever Gauss-Newton converges, to a multiple curve as well.
+// An iteration count within which |F| halves wherever Gauss-Newton converges, to a multiple curve
+// as well.
 constexpr int kPatience = 6;
-// |F| beside its terms: below the first a root without doubt; below the second one of a multiple set, where J is lost in its
-// rounding before F is, provided that |F| falls by no more than kFall when the step is halved. An isolated root with |F| below the
-// second has an order of 6 at least, and its |F| falls by 64.
+// |F| beside its terms: below the first a root without doubt; below the second one of a multiple
+// set, where J is lost in its rounding before F is, provided that |F| falls by no more than kFall
+// when the step is halved. An isolated root with |F| below the second has an order of 6 at least,
+// and its |F| falls by 64.
 constexpr double kOnTheSet = 1e-28;
 constexpr double kNearTheSet = 1e-18;
-// Below so many errors of the coefficients it is one of a system that the file may mean, provided the same.
+// Below so many errors of the coefficients it is one of a system that the file may mean, provided
+// the same.
 constexpr double kErrors = 8;
 constexpr double kFall = 16;
-// Pivots of J, whose rows are relative to their terms, of directions in which a set may lie: x is known to 1e-3 at worst.
+// Pivots of J, whose rows are relative to their terms, of directions in which a set may lie: x is
+// known to 1e-3 at worst.
 constexpr double kNullSpace = 1e-2;
 // Where sets cross, a start near each is a matter of luck.
 constexpr int kStarts = 8;
@@ -128,8 +132,9 @@ Neighbourhood::Neighbourhood(const RefinerProgram& program, const Point& x, doub
   null_space_ = rows.last_columns_of_Q(width);
 }
 
-// F in double-double, J in double, each row relative to the sizes of its terms. Coordinates below their step count as of that
-// size: where one vanishes on the set, the terms would vanish with the values.
+// F in double-double, J in double, each row relative to the sizes of its terms. Coordinates below
+// their step count as of that size: where one vanishes on the set, the terms would vanish with the
+// values.
 void Neighbourhood::evaluate_at(const FinePoint& z) {
   const Tape& tape = program_.tape;
   for (std::size_t i = 0; i < x_.size(); ++i) {
@@ -204,7 +209,8 @@ bool Neighbourhood::is_determined(Index planes) const {
   return (rows.pivots().array() > kNullSpace).count() == dimension();
 }
 
-// Where the set is a surface the plane leaves z free. Planes through x are added as long as they meet the set.
+// Where the set is a surface the plane leaves z free. Planes through x are added as long as they
+// meet the set.
 void Neighbourhood::cut_to_a_curve(MatrixXcd& planes, int slice, FinePoint& z) {
   while (planes.cols() < null_space_.cols() && !is_determined(planes.cols())) {
     MatrixXcd more(planes.rows(), planes.cols() + 1);
@@ -238,8 +244,9 @@ std::optional<Limit> Neighbourhood::limit(MatrixXcd planes, int slice, FinePoint
   return limit;
 }
 
-// Neville's extrapolation to h = 0 of z at h, h / 2, h / 4, ...; its last two values tell the error. What is no power series, as where |F| only
-// passes for 0, has no limit that is better known than the last step.
+// Neville's extrapolation to h = 0 of z at h, h / 2, h / 4, ...; its last two values tell the
+// error. What is no power series, as where |F| only passes for 0, has no limit that is better known
+// than the last step.
 std::optional<Limit> Neighbourhood::extrapolated(const std::vector<VectorXcd>& halvings) const {
   std::vector<VectorXcd> row;
   VectorXcd before;
@@ -264,7 +271,8 @@ std::optional<Limit> Neighbourhood::extrapolated(const std::vector<VectorXcd>& h
   return told;
 }
 
-// Gauss-Newton from z on the first plane N^H z = step and, of the others, N^H z = 0. |F| where it ends; nullopt where that is no root nearby.
+// Gauss-Newton from z on the first plane N^H z = step and, of the others, N^H z = 0. |F| where it
+// ends; nullopt where that is no root nearby.
 std::optional<double> Neighbourhood::settle(const MatrixXcd& planes, double step, FinePoint& z) {
   const Index m = equations();
   const Index p = planes.cols();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How are solutions and points of sets taken out of a result, so that its ledger still says which path leads to which solution?
+// How are solutions and points of sets taken out of a result, so that its ledger still says which
+// path leads to which solution?
 #pragma once
 
 #include <utility>
@@ -9,7 +10,8 @@
 
 namespace moivre {
 
-/// Takes out those for which is_dropped(solution) holds. The number of solutions that were dropped, with multiplicity.
+/// Takes out those for which is_dropped(solution) holds. The number of solutions that were dropped,
+/// with multiplicity.
 template <class Predicate>
 std::uint64_t drop_solutions(SolveResult& result, Predicate is_dropped) {
   std::uint64_t dropped = 0;

@@ -9,13 +9,15 @@ namespace {
 
 // The ends of fewer paths are found at once: a bound costs more.
 constexpr std::uint64_t kManyPaths = 32;
-// Where each step halves the rest of the way at least, so many lead from the creeping radius to double's last digits.
+// Where each step halves the rest of the way at least, so many lead from the creeping radius to
+// double's last digits.
 constexpr int kStepsToRegularEnd = 32;
 // Where no bound is met, this share of the steps is what slow paths lose.
 constexpr std::uint64_t kShareOfSteps = 8;
 
-/// A proof tells more of an end than its condition does. But it is one of the file to the letter: where the file's digits are not exact
-/// they must determine the end as well as two points have to agree.
+/// A proof tells more of an end than its condition does. But it is one of the file to the letter:
+/// where the file's digits are not exact they must determine the end as well as two points have to
+/// agree.
 double condition_of_proved_ends(const Setting& setting) {
   const EndParameters& ends = setting.endgame.ends;
   return std::max(ends.regular_condition,

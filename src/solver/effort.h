@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How far are paths followed before it is asked whether the others are all that can be?
 //
-// Where the roots that are proved meet a bound, paths without an end lead to no other root (completeness.h). Most of these are paths to
-// infinity, whose ends take ten times as long to find as the way there. So effort rises from one asking to the next.
+// Where the roots that are proved meet a bound, paths without an end lead to no other root
+// (completeness.h). Most of these are paths to infinity, whose ends take ten times as long to find
+// as the way there. So effort rises from one asking to the next.
 //
 // Private to the module.
 #pragma once

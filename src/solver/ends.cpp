@@ -22,7 +22,8 @@ constexpr double kSimpleRounding = 1e-13;
 constexpr double kSingularTolerance = 1e-7;
 // A singular end known worse than this is not known at all.
 constexpr double kWorstAccuracy = 1e-3;
-// Of what an error changes F by to first order, beside its terms: a degree, times the sixteen that Refiner::keep() allows for cancellation.
+// Of what an error changes F by to first order, beside its terms: a degree, times the sixteen that
+// Refiner::keep() allows for cancellation.
 constexpr double kMostOfFirstOrder = 100;
 // Of F at a point of doubles.
 constexpr double kRoundingOfF = 2e-15;
@@ -52,8 +53,9 @@ std::shared_ptr<const Certificate> if_within_reach(
   return is_it ? certificate : nullptr;
 }
 
-/// A proved root near the end is what the path ends at; without a proof it is no simple root. Of an end that may still wait for more effort,
-/// and in a run that is to stop, double tells enough: near a multiple root a proof is sought in vain, for long.
+/// A proved root near the end is what the path ends at; without a proof it is no simple root. Of an
+/// end that may still wait for more effort, and in a run that is to stop, double tells enough: near
+/// a multiple root a proof is sought in vain, for long.
 bool prove(const Run& run, Tools& tools, const PathEnd& end, const Point& x, double accuracy,
            Root& root) {
   auto& [refiner, prover, restorer] = tools;
@@ -71,8 +73,9 @@ bool prove(const Run& run, Tools& tools, const PathEnd& end, const Point& x, dou
   return true;
 }
 
-/// Whether F at the end is larger than an error of that accuracy makes it, wherever the root is and whatever its multiplicity: what circles
-/// have told is then no root. With sheets, Refiner::keep() made |F|^(1/sheets) an accuracy.
+/// Whether F at the end is larger than an error of that accuracy makes it, wherever the root is and
+/// whatever its multiplicity: what circles have told is then no root. With sheets, Refiner::keep()
+/// made |F|^(1/sheets) an accuracy.
 bool is_contradicted(const Refined& end, int sheets, double accuracy) {
   return std::pow(end.accuracy, sheets) > kMostOfFirstOrder * (accuracy + kRoundingOfF);
 }

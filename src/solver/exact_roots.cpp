@@ -11,12 +11,13 @@
 namespace moivre {
 namespace {
 
-// How far an end may be from its root: nothing, all digits of double, and what is left of them at roots of low, of middle and of high
-// multiplicity.
+// How far an end may be from its root: nothing, all digits of double, and what is left of them at
+// roots of low, of middle and of high multiplicity.
 constexpr double kEndErrors[] = {0, 1e-15, 1e-12, 1e-9, 1e-5, 1e-2};
 // The worst of them.
 constexpr double kWorstEnd = 0.1;
-// A root of multiplicity m leaves m paths, some of them near it. More candidates than this would cost more than paths do.
+// A root of multiplicity m leaves m paths, some of them near it. More candidates than this would
+// cost more than paths do.
 constexpr std::size_t kMostFailures = 64;
 
 ExactRoot root_at(const System& f, const std::vector<Coefficient>& candidate) {

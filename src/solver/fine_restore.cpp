@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A root of R to the digits of its certificate, the eliminated unknowns from these, and the root of F there.
+// A root of R to the digits of its certificate, the eliminated unknowns from these, and the root of
+// F there.
 #include "fine_restore.h"
 
 #include <algorithm>

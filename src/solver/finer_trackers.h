@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which trackers have more digits than double-double? Each more than the one before; none where the module multiprecision was not
-// built. Private to the module.
+// Which trackers have more digits than double-double? Each more than the one before; none where the
+// module multiprecision was not built. Private to the module.
 #pragma once
 
 #include <memory>

@@ -36,7 +36,8 @@ Certificate certificate_of(const IsolatedRoot& root, const Place& place, int bit
   return result;
 }
 
-/// nullopt where a simple root is not proved on the system as given, or two multiple ones are one point of double.
+/// nullopt where a simple root is not proved on the system as given, or two multiple ones are one
+/// point of double.
 std::optional<std::vector<ProvedPlace>> places_of(const Setting& setting,
                                                   const std::vector<IsolatedRoot>& roots,
                                                   int bits) {
@@ -64,7 +65,8 @@ std::optional<std::vector<ProvedPlace>> places_of(const Setting& setting,
   return places;
 }
 
-/// Those that the paths in doubt may end at: all, or the multiple ones where as many simple ones are proved as there are.
+/// Those that the paths in doubt may end at: all, or the multiple ones where as many simple ones
+/// are proved as there are.
 std::optional<std::vector<ProvedPlace>> proved_places(const Run& run) {
   const Setting& setting = run.setting;
   const System& f = setting.prepared.reduction.system;

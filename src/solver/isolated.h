@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Where one unknown is left all roots are known by proof (certify/isolate.h). Which path ends at which?
+// Where one unknown is left all roots are known by proof (certify/isolate.h). Which path ends at
+// which?
 //
-// As many paths are followed as the polynomial has roots, with their multiplicities. A path whose end is proved keeps it; what is left of
-// the roots goes to the other paths, each to the nearest end.
-// Edges: a root far from every end that is left is none of theirs, and nothing is changed. Private to the module.
+// As many paths are followed as the polynomial has roots, with their multiplicities. A path whose
+// end is proved keeps it; what is left of the roots goes to the other paths, each to the nearest
+// end.
+// Edges: a root far from every end that is left is none of theirs, and nothing is changed. Private
+// to the module.
 #pragma once
 
 #include "run.h"
 
 namespace moivre {
 
-/// Every path gets a root that is proved, simple or with its multiplicity. Nothing is changed where more unknowns are left, the
-/// coefficients are not real, or every path has one.
+/// Every path gets a root that is proved, simple or with its multiplicity. Nothing is changed where
+/// more unknowns are left, the coefficients are not real, or every path has one.
 void isolate_roots(Run& run);
 
 }  // namespace moivre

@@ -27,7 +27,8 @@ void open(const EndsOfGroup& ends, JudgedEnds& judged) {
   }
 }
 
-/// Of ends on a set only those of the paths themselves are open; elsewhere the whole group that one of them is part of.
+/// Of ends on a set only those of the paths themselves are open; elsewhere the whole group that one
+/// of them is part of.
 void open_shared_sheets(const Run& run, const PathSet& shared, JudgedEnds& judged) {
   const auto is_shared = [&](std::uint64_t path) { return shared.contains(path); };
   for (auto& group : judged.roots) {

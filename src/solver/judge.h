@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which ends stand, and what is open? Derived from what was seen of the paths and what is proved of their ends; nothing is written down.
+// Which ends stand, and what is open? Derived from what was seen of the paths and what is proved of
+// their ends; nothing is written down.
 //
-//   a root stands     where one path ends at a simple root, whole cycles end at a singular one, or paths end on a set
+//   a root stands     where one path ends at a simple root, whole cycles end at a singular one, or
+//                     paths end on a set
 //   no end            the path was followed to none
-//   no root           what was seen of its end is none: it was refuted, or it lies beside a simple root, or a path is missing
-//                     or one too many for whole cycles
+//   no root           what was seen of its end is none: it was refuted, or it lies beside a simple
+//                     root, or a path is missing or one too many for whole cycles
 //   jumped            another path ends at the same simple root, or came back to the same sheet
 //
 // Where a count has settled the run nothing is open but what has no end. Private to the module.
@@ -25,7 +27,8 @@ struct JudgedEnds {
   std::vector<std::vector<std::uint64_t>> roots;
   /// By path; these end at none of the roots as far as is known.
   std::map<std::uint64_t, Question> open;
-  /// Paths that may answer a question where they are followed again: those that are open and those that they meet.
+  /// Paths that may answer a question where they are followed again: those that are open and those
+  /// that they meet.
   PathSet in_doubt;
 };
 
@@ -35,15 +38,17 @@ JudgedEnds judge_ends_alone(const Run& run);
 /// From the ends and the sheets to which paths have come back from them. Throws Interrupted.
 JudgedEnds judge(const Run& run);
 
-/// The paths of a group whose ends are simple roots, and those whose ends are not. Where there are both, several roots lie
-/// nearer to each other than the latter are known: no path but one ends at a simple root.
+/// The paths of a group whose ends are simple roots, and those whose ends are not. Where there are
+/// both, several roots lie nearer to each other than the latter are known: no path but one ends at
+/// a simple root.
 struct EndsOfGroup {
   std::vector<std::uint64_t> simple;
   std::vector<std::uint64_t> singular;
 };
 EndsOfGroup ends_of(const Run& run, const std::vector<std::uint64_t>& group);
 
-/// Open paths, but for those that the caller's budget has ended: more digits save no steps. Throws Interrupted.
+/// Open paths, but for those that the caller's budget has ended: more digits save no steps. Throws
+/// Interrupted.
 PathSet open_to_more_digits(const Run& run);
 
 /// How a question that stays open is told.

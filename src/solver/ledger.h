@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Where did each path end, and which paths ended at one point? The ledger of all paths.
 //
-// A path has exactly one entry, its last: a root, a failure, or neither, at infinity or left by a bound. Of every path its record
-// is kept, 16 bytes; of a root and of a failure what more there is to know. An end that is refuted stays on record, and is none of a group.
+// A path has exactly one entry, its last: a root, a failure, or neither, at infinity or left by a
+// bound. Of every path its record is kept, 16 bytes; of a root and of a failure what more there is
+// to know. An end that is refuted stays on record, and is none of a group.
 #pragma once
 
 #include <array>
@@ -29,7 +30,8 @@ struct Root {
   bool is_exact = false;  ///< an isolated multiple root that `point` is exactly, but for rounding
   double tolerance = 0;   ///< relative, within which another end is the same root
   std::shared_ptr<const Certificate> certificate;  ///< of a simple root that is proved
-  /// Of one that is no further than the tolerance from an end that is not it, as far as the end is known coordinate by coordinate.
+  /// Of one that is no further than the tolerance from an end that is not it, as far as the end is
+  /// known coordinate by coordinate.
   std::shared_ptr<const Certificate> beside;
   /// A positive-dimensional set that it lies on, once asked.
   mutable std::optional<SetHere> on_set;
@@ -86,8 +88,8 @@ class Ledger {
   std::array<std::uint64_t, 6> count_{};  ///< of records, by verdict, but for the open ones
 };
 
-/// Number of cycles of each winding number that these paths make up; nullopt when they make no whole
-/// cycles, so that a path is missing or one is too many.
+/// Number of cycles of each winding number that these paths make up; nullopt when they make no
+/// whole cycles, so that a path is missing or one is too many.
 std::optional<std::vector<int>> cycles(const Ledger& ledger,
                                        const std::vector<std::uint64_t>& group);
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// By what is a point known again among many, at 16 bytes each? By its mark, a number that all its coordinates have a part in.
+// By what is a point known again among many, at 16 bytes each? By its mark, a number that all its
+// coordinates have a part in.
 //
-//   mark = sum_j a_j z_j / |z_j| + b_j log |z_j|,  z_j = x_j / x_n,  a_j and b_j of random phases: the same for all multiples of
-//   a homogeneous point, and for different points different but by chance, however small the coordinates in which they differ
+//   mark = sum_j a_j z_j / |z_j| + b_j log |z_j|,  z_j = x_j / x_n,  a_j and b_j of random phases:
+//                                                  the same for all multiples of
+//   a homogeneous point, and for different points different but by chance, however small the
+//   coordinates in which they differ
 //
-// Two paths with one mark are at one point: one of them has jumped before. Marks are kept of the points to which paths have come back from
-// their ends.
+// Two paths with one mark are at one point: one of them has jumped before. Marks are kept of the
+// points to which paths have come back from their ends.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points of the ring, proved, without those that have a path; each to the nearest path that is open.
+// Points of the ring, proved, without those that have a path; each to the nearest path that is
+// open.
 #include "missing_roots.h"
 
 #include <algorithm>

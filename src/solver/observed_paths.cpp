@@ -77,7 +77,8 @@ OutcomeKind kind_of(const PathEnd& end) {
 
 }  // namespace
 
-/// Where paths begin follows from the plan's homotopies and its numbers; two of the points tell plans of given points apart.
+/// Where paths begin follows from the plan's homotopies and its numbers; two of the points tell
+/// plans of given points apart.
 Fingerprint list_of(const PathProblem& problem, const PathList& paths, int care) {
   FingerprintMaker maker;
   maker.add(problem.plan.kind);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The path pool: a shared counter of paths, a session and its endgames on every thread; then cycles, walked together.
+// The path pool: a shared counter of paths, a session and its endgames on every thread; then
+// cycles, walked together.
 #include "path_pool.h"
 
 #include <tbb/global_control.h>
@@ -23,10 +24,12 @@
 namespace moivre {
 namespace {
 
-// To wake the threads of a pool takes longer than to follow so few paths, unless these were found to be hard.
+// To wake the threads of a pool takes longer than to follow so few paths, unless these were found
+// to be hard.
 constexpr std::uint64_t kFewPaths = 4;
 
-// Paths that a thread takes through the early stages of a plan together: many times the lanes there are.
+// Paths that a thread takes through the early stages of a plan together: many times the lanes there
+// are.
 constexpr std::uint64_t kBlock = 128;
 constexpr std::uint64_t kBlocksOfAThread = 4;
 
@@ -106,7 +109,8 @@ class SessionSource : public DepartureSource {
     take_up({departure.path, std::move(endgame)}, std::move(next));
   }
 
-  /// The sheets of one cycle, in the order of their turns. What the first finds at infinity holds for all.
+  /// The sheets of one cycle, in the order of their turns. What the first finds at infinity holds
+  /// for all.
   void join(std::vector<WaitingPath>&& sheets) {
     std::vector<std::vector<Point>> turns;
     for (const WaitingPath& sheet : sheets) turns.push_back(sheet.endgame->turn());

@@ -2,11 +2,13 @@
 // How are many paths followed to their ends on all threads?
 // Every thread has a session, a scratch and the endgames of the paths it has under way.
 //
-// A path that has walked one turn around t = 1 waits until all others of its thousands have come so far: those that lead to one
-// another are the sheets of one cycle, and its samples are theirs (cycles.h). So a cycle of m sheets takes m turns, not m times m.
+// A path that has walked one turn around t = 1 waits until all others of its thousands have come so
+// far: those that lead to one another are the sheets of one cycle, and its samples are theirs
+// (cycles.h). So a cycle of m sheets takes m turns, not m times m.
 //
-// Results do not depend on the number of threads: a path's journey depends on its number, its care and the paths that it is
-// followed with. Memory: the endgames under way, those that wait, and what the sink keeps.
+// Results do not depend on the number of threads: a path's journey depends on its number, its care
+// and the paths that it is followed with. Memory: the endgames under way, those that wait, and what
+// the sink keeps.
 #pragma once
 
 #include <cstdint>
@@ -37,7 +39,8 @@ using EndgameStarts = std::map<std::uint64_t, EndgameStart>;
 /// The number of the next job of a list; none where there is no other. Thread-safe.
 using JobDraw = std::function<std::optional<std::uint64_t>()>;
 
-/// Few paths, which are not known to be hard: to wake other threads, or to tell other processes, takes longer than to follow them.
+/// Few paths, which are not known to be hard: to wake other threads, or to tell other processes,
+/// takes longer than to follow them.
 bool are_few(std::uint64_t paths, int care);
 
 /// Which paths, and from where.
@@ -56,19 +59,22 @@ struct WaitingPath {
   std::unique_ptr<Endgame> endgame;
 };
 
-/// Follows them on `threads` threads, at most all at once: they may wait for one another. Paths cut short by
-/// `stop` end as Failure::cancelled; those not yet begun are not reported. False where memory ran out: those under way on the thread
-/// that met it are not reported either. Calls `when_they_wait`, where there is one, before the ends in which others have a part.
+/// Follows them on `threads` threads, at most all at once: they may wait for one another. Paths cut
+/// short by `stop` end as Failure::cancelled; those not yet begun are not reported. False where
+/// memory ran out: those under way on the thread that met it are not reported either. Calls
+/// `when_they_wait`, where there is one, before the ends in which others have a part.
 bool track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
                  const EndSink& sink, const std::atomic<bool>& stop,
                  const std::function<void()>& when_they_wait = {});
 
-/// The first part of it: as far as no other path has a part in what becomes of them. Adds those that wait.
+/// The first part of it: as far as no other path has a part in what becomes of them. Adds those
+/// that wait.
 bool track_until_they_wait(const PathProblem& problem, const PathList& paths, int care, int threads,
                            const EndSink& sink, const std::atomic<bool>& stop,
                            std::vector<WaitingPath>& waiting);
 
-/// The cycles among all that wait, which are put into the order of their paths. Each stands in one, by its position.
+/// The cycles among all that wait, which are put into the order of their paths. Each stands in one,
+/// by its position.
 std::vector<std::vector<std::size_t>> cycles_among(std::vector<WaitingPath>& waiting,
                                                    const PathProblem& problem);
 

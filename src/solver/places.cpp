@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Exact sums of doubles brought back to the unknowns that were eliminated; certificates tell places from roots that are known.
+// Exact sums of doubles brought back to the unknowns that were eliminated; certificates tell places
+// from roots that are known.
 #include "places.h"
 
 #include <algorithm>

@@ -110,7 +110,8 @@ Prepared prepare_reduced(Reduction reduction, const SolveOptions& options,
   return prepared;
 }
 
-/// Substituted linear equations fill the others with monomials, so that there may be fewer paths without it.
+/// Substituted linear equations fill the others with monomials, so that there may be fewer paths
+/// without it.
 bool may_have_fewer_paths_whole(const Prepared& prepared, const SolveOptions& options) {
   if (!prepared.plan || prepared.reduction.substitutions.empty()) return false;
   switch (options.start) {

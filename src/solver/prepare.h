@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How does the system as given become the homotopy that is tracked, and a point of it a point of the system again?
+// How does the system as given become the homotopy that is tracked, and a point of it a point of
+// the system again?
 //
-//   F (x, n unknowns) --eliminate--> R (y, k unknowns) --scale--> S (z)  ==>  a plan of homotopies to S
+//   F (x, n unknowns) --eliminate--> R (y, k unknowns) --scale--> S (z)  ==>  a plan of homotopies
+//   to S
 //   Coordinates of a path: (z_1, ..., z_k, z_0);  y = 2^v z / z_0;  x = restore(y).
 #pragma once
 
@@ -35,10 +37,12 @@ Prepared prepare(const System& f, const SolveOptions& options, const std::atomic
 /// What a given start makes of f.
 Prepared prepare_given(const System& f, GivenStart start);
 
-/// Throws std::invalid_argument where elimination alone decides the system, so that there is no path to follow.
+/// Throws std::invalid_argument where elimination alone decides the system, so that there is no
+/// path to follow.
 void require_paths(const Prepared& prepared);
 
-/// Every equation's largest coefficient in [1, 2), so that rows of F and G are of one size, and none too small for double.
+/// Every equation's largest coefficient in [1, 2), so that rows of F and G are of one size, and
+/// none too small for double.
 Scaling unit_rows(const System& f);
 
 /// y and x of a homogeneous point with z_0 != 0.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Residuals in double-double, and what a proof or a circle says of a root, told of the system as given.
+// Residuals in double-double, and what a proof or a circle says of a root, told of the system as
+// given.
 #include "refine.h"
 
 #include <algorithm>
@@ -18,13 +19,15 @@ constexpr double kUnitRoundoff = 0x1p-53;
 // A proved root is no end's where it is farther from it than so many times the end's accuracy.
 constexpr double kTravel = 1e4;
 constexpr double kLeastTravel = 1e-6;
-// At the mean of simple roots near each other terms cancel: beside what is left the residual is larger by so much than
-// beside all terms.
+// At the mean of simple roots near each other terms cancel: beside what is left the residual is
+// larger by so much than beside all terms.
 constexpr double kCancellation = 16;
-// The points of a circle, whose mean a singular end is, are not known better: errors of 1.02e-14 were seen.
+// The points of a circle, whose mean a singular end is, are not known better: errors of 1.02e-14
+// were seen.
 constexpr double kSingularAccuracy = 5e-14;
-// Coordinates of a singular root are taken for 0 within so many times the accuracy of its mean. What a residual leaves open is no
-// reason: a mean that is farther from 0 may be that of sheets which end apart.
+// Coordinates of a singular root are taken for 0 within so many times the accuracy of its mean.
+// What a residual leaves open is no reason: a mean that is farther from 0 may be that of sheets
+// which end apart.
 constexpr double kSingularSnap = 10;
 
 /// How far a root may be from an end of this accuracy.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How exactly is an end known, on the system as given?
 //
-// Residuals are evaluated in double-double from the exact coefficients, the Jacobian in double. An end is a simple root where a
-// certificate says so (certificates.h), and then as accurate as that says. The mean of a circle, at which several sheets meet, is kept as it
-// is: a residual of e leaves an error near e^{1/sheets} open. Source: [Tisseur01] for residuals in extended precision.
+// Residuals are evaluated in double-double from the exact coefficients, the Jacobian in double. An
+// end is a simple root where a certificate says so (certificates.h), and then as accurate as that
+// says. The mean of a circle, at which several sheets meet, is kept as it is: a residual of e
+// leaves an error near e^{1/sheets} open. Source: [Tisseur01] for residuals in extended precision.
 #pragma once
 
 #include <memory>
@@ -47,17 +48,20 @@ class Refiner {
   ~Refiner();
   Refiner(Refiner&&) noexcept;
 
-  /// The root that is proved, as accurate as that says. Parts of coordinates that may be 0 are set to 0 if that fits F as well.
+  /// The root that is proved, as accurate as that says. Parts of coordinates that may be 0 are set
+  /// to 0 if that fits F as well.
   Refined take(const Certificate& proved);
 
   /// Whether the root of an end x, of relative accuracy `accuracy`, may be y.
   bool is_within_reach(const Point& x, double accuracy, const Point& y);
 
-  /// A direction in which F changes least at x, as far as J in double tells, of size 1; `any` where it tells nothing.
+  /// A direction in which F changes least at x, as far as J in double tells, of size 1; `any` where
+  /// it tells nothing.
   Point softest(const Point& x, Point any);
 
-  /// An end where `sheets` sheets meet, as it stands. Its accuracy takes into account that a residual of e means an error near
-  /// e^{1/sheets}. Parts of coordinates that vanish to within the accuracy are set to 0 if that fits F as well.
+  /// An end where `sheets` sheets meet, as it stands. Its accuracy takes into account that a
+  /// residual of e means an error near e^{1/sheets}. Parts of coordinates that vanish to within the
+  /// accuracy are set to 0 if that fits F as well.
   Refined keep(const Point& x, double accuracy, int sheets);
 
   /// F(x) / sum |terms|, each equation, in double-double from the exact coefficients.

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What has become of the paths so far? The state of one solve, between its setting and its result.
 //
-// A path is in one of three places: not yet followed to its end (`waiting`, where it was followed at all), among `ends` (finite, but not
-// yet a root of the system as given), or in the ledger. Who changes what: tracking.h and ends.h bring paths in, settle.h sends them
-// out again, judge.h and account.h only read.
+// A path is in one of three places: not yet followed to its end (`waiting`, where it was followed
+// at all), among `ends` (finite, but not yet a root of the system as given), or in the ledger. Who
+// changes what: tracking.h and ends.h bring paths in, settle.h sends them out again, judge.h and
+// account.h only read.
 #pragma once
 
 #include <map>
@@ -48,10 +49,12 @@ struct Bounds {
       asked_by_strata;  ///< points of which it was asked whether they are all
 };
 
-/// By the candidate, real and imaginary part of each coordinate in turn; multiplicity 0: it is no root, or nothing can be said.
+/// By the candidate, real and imaginary part of each coordinate in turn; multiplicity 0: it is no
+/// root, or nothing can be said.
 using ExactCandidates = std::map<std::vector<Rational>, ExactRoot>;
 
-/// Thrown where an answer would take its time and the run is to stop. What is entered so far stands.
+/// Thrown where an answer would take its time and the run is to stop. What is entered so far
+/// stands.
 struct Interrupted {};
 
 struct Run {
@@ -60,7 +63,8 @@ struct Run {
   const Setting& setting;
   Ledger ledger;
   Effort effort = Effort::all_steps;  ///< less only while track_all() or track_waiting() is at work
-  /// Came to no verdict with less effort than all; from an empty start of the endgame a path is followed from its start again.
+  /// Came to no verdict with less effort than all; from an empty start of the endgame a path is
+  /// followed from its start again.
   EndgameStarts waiting;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends;  ///< finite, to be refined
   Marks
@@ -88,8 +92,9 @@ struct Run {
 SetHere set_of(const Run& run, const Root& root);
 bool is_on_set(const Run& run, const Root& root);
 
-/// Paths that end at one point as far as their ends are known, as Ledger::groups(); but one path alone ends at a simple root: ends on a
-/// set of positive dimension that passes beside it are a group of their own.
+/// Paths that end at one point as far as their ends are known, as Ledger::groups(); but one path
+/// alone ends at a simple root: ends on a set of positive dimension that passes beside it are a
+/// group of their own.
 std::vector<std::vector<std::uint64_t>> groups_beside_sets(const Run& run);
 
 }  // namespace moivre

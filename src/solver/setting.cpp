@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The system prepared, the trackers at hand, and how far the coefficients' spread lets ends be believed.
+// The system prepared, the trackers at hand, and how far the coefficients' spread lets ends be
+// believed.
 #include "setting.h"
 
 #include "finer_trackers.h"
@@ -10,8 +11,9 @@
 namespace moivre {
 namespace {
 
-// From this spread of an equation's coefficients on (as log2) the smallest terms are noise, and ends at multiple roots and on sets may be
-// those of the system without them. Ends at infinity may not: their faces have every term.
+// From this spread of an equation's coefficients on (as log2) the smallest terms are noise, and
+// ends at multiple roots and on sets may be those of the system without them. Ends at infinity may
+// not: their faces have every term.
 constexpr double kHopelessSpread = 36;
 
 std::unique_ptr<Tracker> in_double_double(const Tracker& tracker, const Tracker* fallback) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What does a solve work on, and with which trackers? All that stays the same from its first path to its last.
+// What does a solve work on, and with which trackers? All that stays the same from its first path
+// to its last.
 //
 //   first       the tracker that solve() was given: every path, in double
 //   fallback    SolveOptions::fallback, where there is one: what `first` left in doubt
 //   fine_lanes  one of both in double-double, several paths at once; nullptr where neither has that
-//   fine        double-double, one path at a time; nullptr where no path is to be followed beyond double
-//   finer       more digits, one path at a time; none where roots are not proved, since double tells no other root of these
+//   fine        double-double, one path at a time; nullptr where no path is to be followed beyond
+//               double
+//   finer       more digits, one path at a time; none where roots are not proved, since double
+//               tells no other root of these
 //
 // Edges: where the elimination decided the system, prepared.plan is nullopt and there are no paths.
 #pragma once
@@ -50,7 +53,8 @@ struct Setting {
 
   /// Every path in double-double from the start.
   bool is_fine() const { return options.precision == Precision::double_double; }
-  /// Terms that no coordinate tells: only a simple root, proved on the system as given, says something about the system.
+  /// Terms that no coordinate tells: only a simple root, proved on the system as given, says
+  /// something about the system.
   bool hides_terms() const;
   /// Who follows all paths at first.
   const Tracker& tracker() const;

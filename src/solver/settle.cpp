@@ -30,8 +30,9 @@ constexpr void (*kRemedies[])(Run&){
     climb_from_uncounted_roots,  // a multiple root that no count confirms
 };
 
-/// The certified roots, and the multiple ones to which whole cycles lead, are as many as exact algebra counts: what is open leads to
-/// none. No proof: of a multiple root the paths tell that it is one.
+/// The certified roots, and the multiple ones to which whole cycles lead, are as many as exact
+/// algebra counts: what is open leads to none. No proof: of a multiple root the paths tell that it
+/// is one.
 bool settle_by_count(Run& run) {
   if (run.interrupted || !are_as_counted(run)) return false;
   for (const auto& [path, question] : judge_ends_alone(run).open) run.ledger.leave(path);

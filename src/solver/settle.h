@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// All paths were followed once. What is done about the questions that are open? One table of remedies, the cheapest first.
+// All paths were followed once. What is done about the questions that are open? One table of
+// remedies, the cheapest first.
 //
 //   until a count settles the run, or no remedy is left:
 //     the next remedy of the table acts on the questions of judge.h that it may answer
 //
-// What is open then has failed. Where as many roots are known as a proved bound allows, or as exact algebra counts with their
-// multiplicities, nothing is open (completeness.h); that is asked whenever something new is known. An interrupted run is left as it is.
+// What is open then has failed. Where as many roots are known as a proved bound allows, or as exact
+// algebra counts with their multiplicities, nothing is open (completeness.h); that is asked
+// whenever something new is known. An interrupted run is left as it is.
 // Private to the module.
 #pragma once
 

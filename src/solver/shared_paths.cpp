@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A list of paths and its cycles as jobs of several processes, and the bytes that these tell one another.
+// A list of paths and its cycles as jobs of several processes, and the bytes that these tell one
+// another.
 #include "shared_paths.h"
 
 #include <utility>

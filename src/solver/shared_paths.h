@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How do several processes follow the paths of one list, so that each goes on as if it had followed them all?
+// How do several processes follow the paths of one list, so that each goes on as if it had followed
+// them all?
 //
-//   first   paths, one by one: each process those that it draws. Told: an end, or where the path waits after its first turn
-//   then    the cycles among those that wait, which all processes find alike: each walks those that it draws. Told: their ends
+//   first   paths, one by one: each process those that it draws. Told: an end, or where the path
+//           waits after its first turn
+//   then    the cycles among those that wait, which all processes find alike: each walks those that
+//           it draws. Told: their ends
 //
 // So a path waits for those that it would wait for in one process, whoever follows them.
 #pragma once

@@ -133,8 +133,8 @@ bool decided_without_tracking(const Setting& setting, SolveResult& result) {
   return false;
 }
 
-/// All of them, and with more effort those that wait, unless the others have met a bound: then they lead to no other root. That is not asked
-/// where every path is to be followed.
+/// All of them, and with more effort those that wait, unless the others have met a bound: then they
+/// lead to no other root. That is not asked where every path is to be followed.
 void track_to_ends(Run& run) {
   track_all(run);
   for (const Effort effort : {Effort::few_steps, Effort::all_steps}) {
@@ -199,7 +199,8 @@ SolveResult solve_square(const System& f, const Tracker& tracker, const SolveOpt
   return solve_in(Setting(f, tracker, options, stop), watch);
 }
 
-/// With the fewest paths, and each in units of its own: where another start leaves something open it gets the last word.
+/// With the fewest paths, and each in units of its own: where another start leaves something open
+/// it gets the last word.
 SolveResult solve_again(const System& f, const Tracker& tracker, SolveOptions options,
                         const std::atomic<bool>& stop, SolveResult&& first) {
   options.start = StartKind::polyhedral;

@@ -20,7 +20,8 @@
 namespace moivre {
 namespace {
 
-// A root rounded to double leaves this of an equation, beside its terms; a random system's other roots leave far more.
+// A root rounded to double leaves this of an equation, beside its terms; a random system's other
+// roots leave far more.
 constexpr double kHolds = 1e-11;
 // A second at most, some ten nanoseconds each.
 constexpr std::uint64_t kTermsOfProof = 5 * kAffordableTerms;
@@ -57,7 +58,8 @@ bool is_exact_root(const System& f, const Solution& root) {
                      [&](const auto& x) { return local_ring(f, x).has_value(); });
 }
 
-/// The roots told that are simple ones of the combinations, but for those of which it is known exactly that they are roots of f.
+/// The roots told that are simple ones of the combinations, but for those of which it is known
+/// exactly that they are roots of f.
 std::vector<Solution*> unknown_roots(const System& f, SolveResult& result) {
   std::vector<Solution*> unknown;
   for (Solution& root : result.solutions) {
@@ -66,8 +68,9 @@ std::vector<Solution*> unknown_roots(const System& f, SolveResult& result) {
   return unknown;
 }
 
-/// A root of the combinations at which the other equations all but vanish is a root of the file where exact algebra says so. Where roots lie
-/// on curves it counts those that are simple ones of the combinations; each root told that is none of them is one too many.
+/// A root of the combinations at which the other equations all but vanish is a root of the file
+/// where exact algebra says so. Where roots lie on curves it counts those that are simple ones of
+/// the combinations; each root told that is none of them is one too many.
 void require_proofs(const System& f, const System& combinations, const QuotientRing& ring,
                     SolveResult& result) {
   if (!result.complete || ring.points || result.solutions.empty()) return;
@@ -92,7 +95,8 @@ void require_proofs(const System& f, const System& combinations, const QuotientR
                            counted(unknown.size(), "root") + " is not decided");
 }
 
-/// Where exact algebra counts the different roots of all equations: they are those that are told, and none is a cluster.
+/// Where exact algebra counts the different roots of all equations: they are those that are told,
+/// and none is a cluster.
 void compare_with_algebra(const QuotientRing& ring, SolveResult& result) {
   if (!result.complete || !ring.points) return;
   if (*ring.points == result.solutions.size()) {
@@ -122,7 +126,8 @@ QuotientRing ring_of(const System& f, std::uint64_t seed) {
   return quotient_ring(f, {.counts_points = true, .seed = seed});
 }
 
-/// A proof is of the square system. Beside slices and patches its roots are roots of F; combinations prove nothing of F's equations.
+/// A proof is of the square system. Beside slices and patches its roots are roots of F;
+/// combinations prove nothing of F's equations.
 void tell_of_squared(bool is_overdetermined, bool are_told, SolveResult& result) {
   if (!result.completeness) return;
   result.bound.reset();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// De Moivre's theorem in n variables: angles in 64 binary digits of a turn, classes of roots by Hermite's form.
+// De Moivre's theorem in n variables: angles in 64 binary digits of a turn, classes of roots by
+// Hermite's form.
 #include "moivre/start/binomial.h"
 
 #include <cmath>
@@ -84,7 +85,8 @@ void combine_columns(std::vector<std::uint64_t>& matrix, std::size_t n, std::siz
   }
 }
 
-/// The diagonal of the column Hermite form of V: row by row from the top, modulo what is left of the determinant.
+/// The diagonal of the column Hermite form of V: row by row from the top, modulo what is left of
+/// the determinant.
 std::vector<std::uint64_t> hermite_diagonal(std::span<const std::int64_t> v, std::size_t n,
                                             std::uint64_t determinant) {
   std::uint64_t m = determinant;

@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Which mixed cells are there at the end of the last stage? A walk through the tree of cells that pass into each other.
+// Which mixed cells are there at the end of the last stage? A walk through the tree of cells that
+// pass into each other.
 //
-// Within a stage the cell's slacks are w + t rate (over det). The next event is the least t = w_g / -rate_g over the
-// points g with rate_g < 0: there g reaches the lower hull of its block j, on a line with the edge {a_j, b_j}. Let g
-// divide the edge in lambda = C_gj / det:
+// Within a stage the cell's slacks are w + t rate (over det). The next event is the least t = w_g /
+// -rate_g over the points g with rate_g < 0: there g reaches the lower hull of its block j, on a
+// line with the edge {a_j, b_j}. Let g divide the edge in lambda = C_gj / det:
 //   0 < lambda < 1  the cell splits into {a_j, g} and {g, b_j};
 //   lambda <= 0     {g, b_j}; for lambda < 0 it comes from two cells, this one and {g, a_j};
 //   lambda >= 1     {a_j, g}; for lambda > 1 it comes from two cells, this one and {b_j, g}.
-// Of two cells that merge the larger one goes on (of equal ones that whose point off the other edge has the lower
-// number): both can tell, so that every cell is met exactly once, without a memory of those met.
-// A stage is over for a cell when both ends of its edge s are terms of A_s; where no event is left before that, the
-// cell goes to infinity with the simplex and is dropped.
+// Of two cells that merge the larger one goes on (of equal ones that whose point off the other edge
+// has the lower number): both can tell, so that every cell is met exactly once, without a memory of
+// those met.
+// A stage is over for a cell when both ends of its edge s are terms of A_s; where no event is left
+// before that, the cell goes to infinity with the simplex and is dropped.
 // Equal t of two points: the second lifting, infinitely smaller, decides; equal again: NotGeneric.
 // Source: [Jensen16].
 #pragma once

@@ -14,7 +14,8 @@ namespace {
 
 using Points = std::vector<std::vector<std::int64_t>>;
 
-/// The support moved so that every variable has an exponent 0 in some term: cells are the same, the degree is least.
+/// The support moved so that every variable has an exponent 0 in some term: cells are the same, the
+/// degree is least.
 Points moved_to_the_planes(const Support& support, std::size_t n) {
   Exponents least = support.terms.front();
   for (const Exponents& term : support.terms) {
@@ -45,7 +46,8 @@ CornerLifting corner_lifting(std::size_t n, std::uint64_t seed) {
   const std::vector<std::size_t> sizes(n, n + 1);
   CornerLifting corners{random_lifting(sizes, seed, LiftingPurpose::corners),
                         random_lifting(sizes, seed, LiftingPurpose::corner_ties)};
-  // alpha_s = omega(0) - omega(e_s) lies within the range of the lifting, so that slack of the others > 0.
+  // alpha_s = omega(0) - omega(e_s) lies within the range of the lifting, so that slack of the
+  // others > 0.
   const std::int64_t out_of_the_way = 3 * (std::int64_t{1} << kLiftingBits);
   for (std::size_t s = 0; s < n; ++s) {
     for (std::size_t j = 0; j < n; ++j) corners.first[s][j] += j == s ? 0 : out_of_the_way;
@@ -114,7 +116,8 @@ CellStages make_stages(const std::vector<Support>& supports, const Lifting& lift
   stages.n = n;
   stages.order.resize(n);
   std::iota(stages.order.begin(), stages.order.end(), std::size_t{0});
-  // Least degree first: the number of cells grows late. Cyclic-10 takes 60 000 steps so, 150 000 the other way round.
+  // Least degree first: the number of cells grows late. Cyclic-10 takes 60 000 steps so, 150 000
+  // the other way round.
   std::stable_sort(stages.order.begin(), stages.order.end(), [&](std::size_t a, std::size_t b) {
     return degree_of(moved[a]) < degree_of(moved[b]);
   });

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Through which systems of supports does the search for mixed cells go? Stage by stage one simplex gives way to a
-// support.
+// Through which systems of supports does the search for mixed cells go? Stage by stage one simplex
+// gives way to a support.
 //
-// Notation: D = {0, e_1, ..., e_n}, the standard simplex; supports in the order in which they are brought in, each
-// moved to the coordinate planes; d_s: degree of support s, so that A_s lies in d_s D.
+// Notation: D = {0, e_1, ..., e_n}, the standard simplex; supports in the order in which they are
+// brought in, each moved to the coordinate planes; d_s: degree of support s, so that A_s lies in
+// d_s D.
 //   stage s: blocks A_0, ..., A_{s-1}, A_s with d_s D, D, ..., D (n blocks).
-// The lifting of d_s D's corners is d_s times that of D's, plus t, from t = -infinity to +infinity: at the beginning
-// the cells are those of the stage before; at the end the corners are out of the way. In between cells split and merge;
+// The lifting of d_s D's corners is d_s times that of D's, plus t, from t = -infinity to +infinity:
+// at the beginning the cells are those of the stage before; at the end the corners are out of the
+// way. In between cells split and merge;
 // none comes from nowhere.
-// The first cell: D_s has the edge {0, e_s}, and its other corners are lifted so high that this is the only cell.
+// The first cell: D_s has the edge {0, e_s}, and its other corners are lifted so high that this is
+// the only cell.
 // Source: [Jensen16], the tropical form of regeneration.
 #pragma once
 

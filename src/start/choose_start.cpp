@@ -31,7 +31,8 @@ constexpr std::size_t kFewUnknowns = 6;
 constexpr std::uint64_t kLongSearch = 100'000'000;
 // And so many multiply-adds, less than a minute.
 constexpr double kLongSearchCost = 5e10;
-// Degrees and supports are tables, a column an unknown: of more entries than this they take gigabytes.
+// Degrees and supports are tables, a column an unknown: of more entries than this they take
+// gigabytes.
 constexpr double kMostExponents = 1e8;
 
 const char* const kNotAsked = "not needed for the start that was asked for";
@@ -142,7 +143,8 @@ class Chooser {
     return static_cast<std::uint64_t>(kQuickSearchCost / search_step_cost(f_));
   }
 
-  /// What a start of one stage may save beside the cells that are known: work of a search for its groups.
+  /// What a start of one stage may save beside the cells that are known: work of a search for its
+  /// groups.
   std::uint64_t worth_of_one_stage() const {
     const auto paths = (kPolyhedralCost - 1) * static_cast<double>(cells_->mixed_volume);
     return static_cast<std::uint64_t>(std::min(paths * static_cast<double>(kSearchWorkPerPath),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which exact number is this double? Itself: nothing is rounded between a start system and its start points. Private to the
-// module.
+// Which exact number is this double? Itself: nothing is rounded between a start system and its
+// start points. Private to the module.
 #pragma once
 
 #include "moivre/numeric/complex.h"

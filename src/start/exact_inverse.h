@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What is the inverse of an integer matrix, exactly? Its determinant and its adjugate, without fractions.
+// What is the inverse of an integer matrix, exactly? Its determinant and its adjugate, without
+// fractions.
 //
 //   V: n x n, row by row;  det = |det V|;  inverse = det V^{-1}, integers, row by row.
-// Jordan's elimination of (V | 1) in which every number is a minor of it: divisions leave no remainder [Bareiss68].
+// Jordan's elimination of (V | 1) in which every number is a minor of it: divisions leave no
+// remainder [Bareiss68].
 #pragma once
 
 #include <cstddef>

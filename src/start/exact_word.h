@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How is integer arithmetic exact and fast at once? In words of 64 or 128 bits while bounds show that nothing
-// overflows.
+// How is integer arithmetic exact and fast at once? In words of 64 or 128 bits while bounds show
+// that nothing overflows.
 //
-// A kernel works on whole vectors. Before it runs, a bound on everything it will form is computed in double, from the
-// largest magnitudes; `require_room` throws WordTooShort where the bound comes near the word's range. The caller then
-// begins again with the next longer word: std::int64_t, Int128, Integer (any length, no bound). The bounds are rounded
-// sums and products of a few hundred terms at most: a factor 2 of the range is far more than their rounding.
+// A kernel works on whole vectors. Before it runs, a bound on everything it will form is computed
+// in double, from the largest magnitudes; `require_room` throws WordTooShort where the bound comes
+// near the word's range. The caller then begins again with the next longer word: std::int64_t,
+// Int128, Integer (any length, no bound). The bounds are rounded sums and products of a few hundred
+// terms at most: a factor 2 of the range is far more than their rounding.
 #pragma once
 
 #include <algorithm>
@@ -48,7 +49,8 @@ int sign(const Word& a) {
   return a > 0 ? 1 : a < 0 ? -1 : 0;
 }
 
-/// A bound on all magnitudes, less than twice the largest; 0 for Integer, where nothing asks for it.
+/// A bound on all magnitudes, less than twice the largest; 0 for Integer, where nothing asks for
+/// it.
 template <class Word>
 double magnitude(const Word* begin, std::size_t count) {
   if constexpr (is_machine_word<Word>) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// In how many ways can the equations left take the factors left? c(r) for all r <= (n_1, ..., n_k), in any kind of count.
+// In how many ways can the equations left take the factors left? c(r) for all r <= (n_1, ..., n_k),
+// in any kind of count.
 // Private to the module.
 #pragma once
 
@@ -21,7 +22,8 @@ struct ExponentTable {
 /// nullopt where there are more than kMaximumTable entries.
 std::optional<ExponentTable> exponent_table(const Partition& groups);
 
-/// c(0) = one; c(r) = sum of times(d_ij, c(r - e_j)) by plus, i = n - |r|. degree(i, j): d_ij; where it is 0 nothing is added.
+/// c(0) = one; c(r) = sum of times(d_ij, c(r - e_j)) by plus, i = n - |r|. degree(i, j): d_ij;
+/// where it is 0 nothing is added.
 template <class Count, class Degree, class Times, class Plus>
 std::vector<Count> completions(const ExponentTable& shape, Count one, Degree degree, Times times,
                                Plus plus) {

@@ -21,8 +21,8 @@ constexpr std::size_t kSingletonUnknowns = 16;
 constexpr std::array<std::uint64_t, kExhaustiveUnknowns + 1> kPartitions = {1,  1,   2,   5,   15,
                                                                             52, 203, 877, 4140};
 
-/// Every partition of n unknowns, one after another, as restricted growth strings: unknown v goes to group g(v), and
-/// g(v) <= 1 + max of those before.
+/// Every partition of n unknowns, one after another, as restricted growth strings: unknown v goes
+/// to group g(v), and g(v) <= 1 + max of those before.
 void try_all(PartitionJudge& judge, std::size_t n) {
   std::vector<std::uint32_t> g(n, 0);
   for (;;) {
@@ -71,8 +71,8 @@ Partition joined(Partition groups, std::size_t a, std::size_t b) {
   return ordered(std::move(groups));
 }
 
-/// One local search: `groups` as long as a move of one unknown, the union of two groups or an exchange of two unknowns
-/// makes the number less.
+/// One local search: `groups` as long as a move of one unknown, the union of two groups or an
+/// exchange of two unknowns makes the number less.
 class Descent {
  public:
   Descent(PartitionJudge& judge, Partition groups, std::uint64_t until)
@@ -225,7 +225,8 @@ std::uint64_t allowed_work(const System& f) {
   return std::max(kLeastSearchWork, *paths * kSearchWorkPerPath);
 }
 
-/// Each beginning may use an equal share of the work that is left, so that none starves those behind it.
+/// Each beginning may use an equal share of the work that is left, so that none starves those
+/// behind it.
 void improve_beginnings(PartitionJudge& judge, const std::vector<Partition>& from,
                         std::uint64_t allowed) {
   for (std::size_t k = 0; k < from.size() && judge.work() < allowed; ++k) {

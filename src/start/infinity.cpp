@@ -73,7 +73,8 @@ std::vector<LeadingTerm> leading_terms(const Support& support) {
   return terms;
 }
 
-/// A random vector of the span of the differences of the terms within `set`; empty where there is no such term.
+/// A random vector of the span of the differences of the terms within `set`; empty where there is
+/// no such term.
 Row random_difference(const std::vector<LeadingTerm>& terms, std::uint32_t set, std::uint64_t row,
                       std::size_t n) {
   const Exponents* first = nullptr;

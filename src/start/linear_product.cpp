@@ -46,8 +46,8 @@ std::vector<Complex> roots_of(const Point& form, std::uint64_t d) {
   return roots;
 }
 
-/// c1 x^d - c2 as (c1, -c2), its roots well away from those taken, which they join. They lie in a ring around the unit
-/// circle, since many roots on the circle itself would crowd.
+/// c1 x^d - c2 as (c1, -c2), its roots well away from those taken, which they join. They lie in a
+/// ring around the unit circle, since many roots on the circle itself would crowd.
 Point binomial(Draw& draw, std::uint64_t d, std::vector<Complex>& taken) {
   Point best;
   double widest = -1;
@@ -76,7 +76,8 @@ double cosine(const Point& a, const Point& b) {
   return std::abs(sum);
 }
 
-/// a . x + b in `size` unknowns, |a| = |b| = 1, not nearly parallel to any of those taken, which it joins.
+/// a . x + b in `size` unknowns, |a| = |b| = 1, not nearly parallel to any of those taken, which it
+/// joins.
 Point linear_form(Draw& draw, std::size_t size, std::vector<Point>& taken) {
   Point best;
   double least = std::numeric_limits<double>::infinity();

@@ -15,8 +15,8 @@ struct Chosen {
   std::uint64_t factor = 0;
 };
 
-/// The way through the numbers, equation by equation: a group j that may still be taken stands for d_ij c(r - e_j) of them,
-/// c(r - e_j) a factor.
+/// The way through the numbers, equation by equation: a group j that may still be taken stands for
+/// d_ij c(r - e_j) of them, c(r - e_j) a factor.
 class Way {
  public:
   explicit Way(const LinearProductStart& start) : start_(start) {

@@ -102,7 +102,8 @@ CellSearch stable_mixed_cells(const std::vector<Support>& supports, std::uint64_
   const SupportsWithOrigin s = with_origin(supports, supports.size());
   std::vector<std::size_t> sizes;
   for (const Support& support : s.supports) sizes.push_back(support.terms.size());
-  // Slacks of a cell for the lifting 0/1 are multiples of 1/det: det times the random part's range is high enough.
+  // Slacks of a cell for the lifting 0/1 are multiples of 1/det: det times the random part's range
+  // is high enough.
   const int first_bits = kLiftingBits + 10;
   const int most_bits = 62;
   CellSearch search;

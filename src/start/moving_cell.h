@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How does a mixed cell pass into its neighbour? One end of one edge is exchanged, by one step of fraction-free
-// elimination.
+// How does a mixed cell pass into its neighbour? One end of one edge is exchanged, by one step of
+// fraction-free elimination.
 //
 //   V: rows v_i = b_i - a_i of the cell's edges; det = |det V| > 0; inverse = det V^{-1}, integers;
-//   point g of block j in the edges: g - a_j = sum_i (C_gi / det) v_i, C_gi = <g - a_j, column i of inverse>;
+//   point g of block j in the edges: g - a_j = sum_i (C_gi / det) v_i, C_gi = <g - a_j, column i of
+//   inverse>;
 //   w_g = det * slack of g at t = 0, rate_g = det * d(slack)/dt.
 // Replacing b_j by g, p = C_gj > 0:
-//   det' = p,  w' = (p w - C_.j w_g) / det, rate' and the other columns of the inverse alike, column j stays:
+//   det' = p,  w' = (p w - C_.j w_g) / det, rate' and the other columns of the inverse alike,
+//              column j stays:
 //   the divisions leave no remainder [Bareiss68].
 #pragma once
 

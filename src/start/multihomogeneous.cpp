@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Degrees by group, and the table of the ways in which the equations left can take the factors left.
+// Degrees by group, and the table of the ways in which the equations left can take the factors
+// left.
 #include "moivre/start/multihomogeneous.h"
 
 #include <algorithm>

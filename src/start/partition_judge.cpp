@@ -10,7 +10,8 @@
 namespace moivre {
 namespace {
 
-/// Looking for monomials that divide another takes the square of their number; longer equations are left as they are.
+/// Looking for monomials that divide another takes the square of their number; longer equations are
+/// left as they are.
 constexpr std::size_t kThinnedTerms = 1000;
 
 bool divides(const Monomial& a, const Monomial& b) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which of many partitions of one system has the least number? Degrees by group are kept, work is counted. Private to the
-// module.
+// Which of many partitions of one system has the least number? Degrees by group are kept, work is
+// counted. Private to the module.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,9 @@ class PartitionJudge {
 
   std::size_t unknowns() const { return unknowns_; }
 
-  /// The number of a partition (ordered as multihomogeneous.h says) in double: exact below 2^53, and telling more beyond 64
-  /// bits than an integer would. Infinity where the table would be too large.
+  /// The number of a partition (ordered as multihomogeneous.h says) in double: exact below 2^53,
+  /// and telling more beyond 64 bits than an integer would. Infinity where the table would be too
+  /// large.
   double number(const Partition& groups);
   /// The same where no partition comes twice: nothing is kept but the best.
   void try_once(const Partition& groups);

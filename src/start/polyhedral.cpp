@@ -15,9 +15,11 @@
 namespace moivre {
 namespace {
 
-// Where a path begins, the terms that its binomials leave out are at most this beside them: Newton's method begins there.
+// Where a path begins, the terms that its binomials leave out are at most this beside them:
+// Newton's method begins there.
 constexpr double kLeastPart = 1e-4;
-// Of the lifting: ties are rare, slacks stay within 64 bits; random parts of up to four binary orders of magnitude.
+// Of the lifting: ties are rare, slacks stay within 64 bits; random parts of up to four binary
+// orders of magnitude.
 constexpr double kLiftingUnit = 0x1p20;
 constexpr double kRandomPart = 4;
 constexpr std::uint64_t kMostCoefficientLiftings = 8;
@@ -38,7 +40,8 @@ std::vector<Complex> generic_coefficients(const System& f, const std::vector<Sup
   return g;
 }
 
-/// -log2 of the coefficients' moduli and random numbers in [0, kRandomPart), in units of 1 / kLiftingUnit.
+/// -log2 of the coefficients' moduli and random numbers in [0, kRandomPart), in units of 1 /
+/// kLiftingUnit.
 Lifting coefficient_lifting(const System& f, const std::vector<Support>& supports,
                             std::uint64_t seed, std::uint64_t attempt) {
   std::uint64_t index = attempt << 48;  // terms are fewer
@@ -102,7 +105,8 @@ class PolyhedralPoints : public StartPoints {
   }
 
  private:
-  // T: log |term k| - log |binomial's terms| - w_k T <= log kLeastPart for all terms that the binomials leave out.
+  // T: log |term k| - log |binomial's terms| - w_k T <= log kLeastPart for all terms that the
+  // binomials leave out.
   double toric_span(const MixedCell& cell, const std::vector<double>& log_modulus,
                     const std::vector<double>& weights) const {
     double span = 0;

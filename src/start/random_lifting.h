@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which lifting belongs to a seed? Independent uniform integers of 30 bits, for each purpose and attempt others.
+// Which lifting belongs to a seed? Independent uniform integers of 30 bits, for each purpose and
+// attempt others.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +14,8 @@ namespace moivre {
 /// Long enough that ties are rare, short enough that slacks of common systems stay within 64 bits.
 inline constexpr int kLiftingBits = 30;
 
-/// Liftings tried before the search gives up. A million cells of a hundred terms have a tie once in ten liftings.
+/// Liftings tried before the search gives up. A million cells of a hundred terms have a tie once in
+/// ten liftings.
 inline constexpr std::uint64_t kMostLiftings = 16;
 
 enum class LiftingPurpose : std::uint64_t { terms, ties, corners, corner_ties };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which roots are there, to 50 digits, and which path leads to which? From careful runs of two trackers over all seeds.
+// Which roots are there, to 50 digits, and which path leads to which? From careful runs of two
+// trackers over all seeds.
 //
-// A path's owner is settled where its runs agree: a simple root has one path, and where two trackers see another root at its
-// end, nobody is believed.
+// A path's owner is settled where its runs agree: a simple root has one path, and where two
+// trackers see another root at its end, nobody is believed.
 #pragma once
 
 #include <map>

@@ -11,8 +11,8 @@
 namespace moivre {
 namespace {
 
-/// A colour a curve, told apart with any colour vision [Okabe and Ito], and a symbol of gnuplot's SVG terminal: methods come in
-/// pairs of one hue, light and dark.
+/// A colour a curve, told apart with any colour vision [Okabe and Ito], and a symbol of gnuplot's
+/// SVG terminal: methods come in pairs of one hue, light and dark.
 struct CurveStyle {
   const char* colour;
   int symbol;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do all diagrams of a study share? Their size and font, colours and symbols, logarithmic axes from one decade to another.
+// What do all diagrams of a study share? Their size and font, colours and symbols, logarithmic axes
+// from one decade to another.
 #pragma once
 
 #include <limits>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is one row of a study, column by column? The one list that the text, the CSV and the page are made from.
+// What is one row of a study, column by column? The one list that the text, the CSV and the page
+// are made from.
 #pragma once
 
 #include <string>
@@ -9,7 +10,8 @@
 
 namespace moivre {
 
-/// Which table for people a column stands in: both, the one of times and losses, or that of errors and work.
+/// Which table for people a column stands in: both, the one of times and losses, or that of errors
+/// and work.
 enum class CellTable { both, outcome, quality };
 
 struct StudyCell {

@@ -76,7 +76,8 @@ std::string line_plot(const std::string& data, std::size_t k, const Curve& curve
          curve_style(k) + " notitle";
 }
 
-/// Crosses on the marks that lost roots, and their numbers beside them. A block without marks is not to be drawn:
+/// Crosses on the marks that lost roots, and their numbers beside them. A block without marks is
+/// not to be drawn:
 /// gnuplot 5.4 crashes on labels without data.
 std::string cross_plots(const std::string& data, std::size_t k) {
   return ", \\\n  $lost_" + data + " using 1:2 with points pt 2 ps 0.9 lw 1.5 lc rgb \"" +

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Which samples were solved before? A sample is a job, told apart by its numbers.
 //
-// What else samples depend on is the run's: the mechanism, and the options that its ledger compares. A sample during which a family was learned
-// is solved again, so that the families are there.
+// What else samples depend on is the run's: the mechanism, and the options that its ledger
+// compares. A sample during which a family was learned is solved again, so that the families are
+// there.
 // Private to the module.
 #pragma once
 

@@ -66,7 +66,8 @@ class Sweep {
     return sample;
   }
 
-  /// f(k) for all k on all threads, told as progress. What a value makes the mechanism refuse is thrown, and what the callback throws.
+  /// f(k) for all k on all threads, told as progress. What a value makes the mechanism refuse is
+  /// thrown, and what the callback throws.
   void on_all(std::size_t count, const std::function<void(std::size_t)>& f) {
     std::atomic<std::size_t> next{0};
     std::size_t done = 0;

@@ -8,7 +8,8 @@
 
 namespace moivre {
 
-/// ", 1 outside a joint's limits, 2 within fit, and it moves though the drivers stand"; empty where there is nothing of it.
+/// ", 1 outside a joint's limits, 2 within fit, and it moves though the drivers stand"; empty where
+/// there is nothing of it.
 std::string beside_text(const Assemblies& found);
 
 }  // namespace moivre

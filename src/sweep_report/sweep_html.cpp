@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The page of a sweep: its picture, and the closures of one sample beside it.
 //
-// Data, as JSON: {"plot": [left, top, right, bottom] in pixels; "axes": [{"name", "unit", "values": [..]}]; "told": [sentence a sample];
-// "closures": [[[x, y, x, y ...] of all points, a closure] a sample]; "bodies": [{"colour": class, "points": [..]}];
-// "lines": [[class, point, point]]; "spots": [["pin" | "ground" | "mark", point]]; "box": [x, y, x, y] around all;
-// "ids": [of the closures of any sample]; "unknowns": [name], whose values stand instead of points where there are no bodies}. The first
-// axis varies slowest.
+// Data, as JSON: {"plot": [left, top, right, bottom] in pixels; "axes": [{"name", "unit", "values":
+// [..]}]; "told": [sentence a sample];
+// "closures": [[[x, y, x, y ...] of all points, a closure] a sample]; "bodies": [{"colour": class,
+// "points": [..]}];
+// "lines": [[class, point, point]]; "spots": [["pin" | "ground" | "mark", point]]; "box": [x, y, x,
+// y] around all;
+// "ids": [of the closures of any sample]; "unknowns": [name], whose values stand instead of points
+// where there are no bodies}. The first axis varies slowest.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -66,7 +69,8 @@ std::vector<const SweepSample*> samples_of(const SweepResult& result, const Show
   return samples;
 }
 
-/// In the file's units; a name that several dimensions share, as a driver's does, has the unit of all.
+/// In the file's units; a name that several dimensions share, as a driver's does, has the unit of
+/// all.
 std::string unit_of(const Mechanism& mechanism, const std::string& name) {
   for (const Dimension& dimension : dimensions(mechanism)) {
     if (dimension.name != name) continue;

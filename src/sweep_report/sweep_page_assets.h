@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What are the style and script of a sweep's page? The texts of sweep_page.css and sweep_page.js, put in by the build.
+// What are the style and script of a sweep's page? The texts of sweep_page.css and sweep_page.js,
+// put in by the build.
 #pragma once
 
 #include <string_view>

@@ -68,7 +68,8 @@ std::string frame() {
          "\" fill=\"none\" stroke=\"#444\"/>\n";
 }
 
-/// Which closures are counted: the usable ones, which are the real ones where no sample has limits or fit that tell.
+/// Which closures are counted: the usable ones, which are the real ones where no sample has limits
+/// or fit that tell.
 struct Wanted {
   bool has_limits = false;
   bool has_fit = false;

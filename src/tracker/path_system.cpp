@@ -11,7 +11,8 @@
 namespace moivre {
 namespace {
 
-// Equations have coefficients near 1 and |x| near 1: a residual below this is made of rounding errors.
+// Equations have coefficients near 1 and |x| near 1: a residual below this is made of rounding
+// errors.
 constexpr double kRoundingResidual = 1e-12;
 
 }  // namespace

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Who owns SUNDIALS' objects? Context, vector, nonlinear solver and CVODE memory are freed in the right order.
+// Who owns SUNDIALS' objects? Context, vector, nonlinear solver and CVODE memory are freed in the
+// right order.
 //
-// What differs between SUNDIALS 6.4 and 7 stands here: how a context is made without MPI, and how errors are kept from the
-// terminal.
-// y: real state of length 2N. Newton's iteration has a dense matrix, 2N x 2N, and its LU as well; the fixed-point iteration
-// makes neither. Private to tracker_cvode.
+// What differs between SUNDIALS 6.4 and 7 stands here: how a context is made without MPI, and how
+// errors are kept from the terminal.
+// y: real state of length 2N. Newton's iteration has a dense matrix, 2N x 2N, and its LU as well;
+// the fixed-point iteration makes neither. Private to tracker_cvode.
 #pragma once
 
 #include <cvode/cvode.h>

@@ -16,7 +16,8 @@ namespace {
 constexpr double kNonlinearCoefficient = 0.5;
 // A step is cut to this fraction when Newton refuses it.
 constexpr double kProjectionFailureEta = 0.25;
-// Repeated failures inside one step before the journey ends: 4^-20 of a step is far below any useful one.
+// Repeated failures inside one step before the journey ends: 4^-20 of a step is far below any
+// useful one.
 constexpr int kMaximumFailuresInStep = 20;
 // Samples go into Cauchy's integral, so they are corrected as far as double allows.
 constexpr double kSampleTolerance = 1e-14;

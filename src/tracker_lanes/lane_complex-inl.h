@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How are W complex numbers held and multiplied at once? One real number of every lane, and one imaginary.
+// How are W complex numbers held and multiplied at once? One real number of every lane, and one
+// imaginary.
 //
-// W: lanes of the target this file is compiled for. V: W doubles, a vector. R: a real number of every lane in the precision
-// that paths are followed in, V itself here; the kernels take it as their parameter. In memory (LaneCell) a complex
-// number of all lanes is the words of its real parts, W doubles each, and then those of its imaginary ones.
-// Sizes, weights and steps are V whatever R is. Lane-wise throughout: nothing crosses lanes, so a NaN stays in its own.
+// W: lanes of the target this file is compiled for. V: W doubles, a vector. R: a real number of
+// every lane in the precision that paths are followed in, V itself here; the kernels take it as
+// their parameter. In memory (LaneCell) a complex number of all lanes is the words of its real
+// parts, W doubles each, and then those of its imaginary ones.
+// Sizes, weights and steps are V whatever R is. Lane-wise throughout: nothing crosses lanes, so a
+// NaN stays in its own.
 // Compiled once a target (Highway's foreach_target): no include guard in the usual sense.
 // Not supported: targets whose vectors have no fixed size.
 #if defined(MOIVRE_LANE_COMPLEX_INL_H_) == defined(HWY_TARGET_TOGGLE)
@@ -29,7 +32,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::ScalableTag<double>;
 inline constexpr std::size_t W = hn::MaxLanes(Tag());
 
-/// W real numbers, and W claims. Highway writes + - * / and comparisons as operators, but no minus sign alone.
+/// W real numbers, and W claims. Highway writes + - * / and comparisons as operators, but no minus
+/// sign alone.
 using V = hn::Vec<Tag>;
 using Mask = hn::Mask<Tag>;
 
@@ -53,8 +57,8 @@ struct LaneReals {
   V value() const { return load_real(at); }
 };
 
-/// What the kernels need to know of R: doubles a real number, what one lane holds, and how doubles and what a lane holds
-/// become an R.
+/// What the kernels need to know of R: doubles a real number, what one lane holds, and how doubles
+/// and what a lane holds become an R.
 template <class R>
 struct LaneScalar;
 

@@ -14,16 +14,19 @@ constexpr double kSlack = 8;
 // Near t = 1, where paths may meet, steps aim at this tolerance at most.
 constexpr double kEndRadius = 0.1;
 constexpr double kEndTolerance = 1e-3;
-// A journey that sets out there and takes more steps than this, circles some tens, is going nowhere.
+// A journey that sets out there and takes more steps than this, circles some tens, is going
+// nowhere.
 constexpr std::int64_t kMaximumStepsNearEnd = 2000;
 // Contraction of Newton above which a step is refused, and the one that steps aim at.
 constexpr double kContraction = 0.1;
 constexpr double kContractionAimedAt = 0.02;
-// A tangent that was refined once errs by the square of Newton's contraction, and the predictor multiplies that by ten and more. Where a
-// first correction of this share of the tolerance contracts no better than so, it is bad tangents that shorten the steps.
+// A tangent that was refined once errs by the square of Newton's contraction, and the predictor
+// multiplies that by ten and more. Where a first correction of this share of the tolerance
+// contracts no better than so, it is bad tangents that shorten the steps.
 constexpr double kSharpBend = 0.1;
 constexpr double kContractionInBends = 0.003;
-// Steps aim at this fraction of what the control formula gives, and change by these factors at most.
+// Steps aim at this fraction of what the control formula gives, and change by these factors at
+// most.
 constexpr double kSafety = 0.9;
 constexpr double kLargestGrowth = 2;
 constexpr double kLargestCut = 0.25;

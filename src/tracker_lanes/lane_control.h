@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
-// How far does a lane step, and is the step accepted? The journey of one lane, without its arithmetic.
+// How far does a lane step, and is the step accepted? The journey of one lane, without its
+// arithmetic.
 //
-//   e = |dx_1|_w: how far the prediction was off the path;  theta = |dx_2|_w / |dx_1|_w: Newton's contraction
-//   accepted: e <= kSlack tolerance and theta <= kContraction: the prediction lies where Newton converges at once
-//   next step: h <- h min(tolerance / e, kContractionAimedAt / theta)^{1/p}, within bounds: both e and theta grow like the
-//   predictor's error, of order p.
+//   e = |dx_1|_w: how far the prediction was off the path;  theta = |dx_2|_w / |dx_1|_w: Newton's
+//   contraction accepted: e <= kSlack tolerance and theta <= kContraction: the prediction lies
+//   where Newton converges at once next step: h <- h min(tolerance / e, kContractionAimedAt /
+//   theta)^{1/p}, within bounds: both e and theta grow like the predictor's error, of order p.
 //
-// theta is proportional to the distance from the path over the distance to the nearest other path or singularity (the
-// Newton-Kantorovich quantity), so where paths come close it shortens the steps before e does.
-// A sample and the end are polished by steps of length 0, in double-double also what a watcher sees near t = 1. Where rounding stops Newton
-// in a lane, the point is handed to scalar Newton with residuals in double-double (tracker/path_system.h) and goes on
-// from there. In double-double the scalar Newton says whether a point at t = 1 is a regular end; where it is none the step is
+// theta is proportional to the distance from the path over the distance to the nearest other path
+// or singularity (the Newton-Kantorovich quantity), so where paths come close it shortens the steps
+// before e does.
+// A sample and the end are polished by steps of length 0, in double-double also what a watcher sees
+// near t = 1. Where rounding stops Newton in a lane, the point is handed to scalar Newton with
+// residuals in double-double (tracker/path_system.h) and goes on from there. In double-double the
+// scalar Newton says whether a point at t = 1 is a regular end; where it is none the step is
 // rejected, so that no path arrives at a singular end (tracker/fine_path_system.h).
 // Source: [Timme21] for contraction as the measure.
 #pragma once
@@ -58,7 +61,8 @@ class LaneControl {
     double second;    ///< |dx_2|_w
     double residual;  ///< max_i |H_i| at the prediction
   };
-  /// What becomes of the corrected point: not taken, taken in place, taken as the first of a path, taken as the next;
+  /// What becomes of the corrected point: not taken, taken in place, taken as the first of a path,
+  /// taken as the next;
   /// or it is to be corrected more finely first, see judge_rescue().
   enum class Move { stay, correct, depart, step, rescue };
 
@@ -74,8 +78,8 @@ class LaneControl {
   Complex next_dt() const { return contour().dt(next_time_); }
 
   Move judge(const Outcome& outcome);
-  /// After Move::rescue: how finely the point at next_time() is wanted, whether it is to be a regular end, and what becomes
-  /// of it then.
+  /// After Move::rescue: how finely the point at next_time() is wanted, whether it is to be a
+  /// regular end, and what becomes of it then.
   double rescue_tolerance() const;
   bool is_proving_end() const;
   /// The lane has done what it can in its own digits.

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
-// How do W paths have twice the digits of double? Sums hi + lo of two vectors, by error-free transformations in every lane.
+// How do W paths have twice the digits of double? Sums hi + lo of two vectors, by error-free
+// transformations in every lane.
 //
-//   two_sum       a + b = s + e exactly;  two_product  a b = p + e exactly, e by a fused multiply-subtraction, or by
+//   two_sum       a + b = s + e exactly;  two_product  a b = p + e exactly, e by a fused
+//                                         multiply-subtraction, or by
 //                 Dekker's splitting where the machine has none (|a|, |b| < 2^995 then)
-//   + - * /       of reals as in numeric/double_double.h: relative errors 2^-102 and less, of a quotient 2^-100
-//   complex       products and sums of products normalize once: errors 2^-100 of the sum of the terms' magnitudes, as a
-//                 scalar product in any floating arithmetic, and not of the result where terms cancel
+//   + - * /       of reals as in numeric/double_double.h: relative errors 2^-102 and less, of a
+//                 quotient 2^-100
+//   complex       products and sums of products normalize once: errors 2^-100 of the sum of the
+//                 terms' magnitudes, as a scalar product in any floating arithmetic, and not of the
+//                 result where terms cancel
 //
-// A product that goes into a sum is rounded by itself first, and nothing here depends on how a compiler contracts: each product is
-// an operand of a fused operation. Sizes (squared_magnitude) are rounded to double.
+// A product that goes into a sum is rounded by itself first, and nothing here depends on how a
+// compiler contracts: each product is an operand of a fused operation. Sizes (squared_magnitude)
+// are rounded to double.
 // Sources: [Dekker71], [Knuth98].
 #if defined(MOIVRE_LANE_DOUBLE_DOUBLE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MOIVRE_LANE_DOUBLE_DOUBLE_INL_H_

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
-// What are H, H_x and H_t of W points at once, each at its own t? The program of a homotopy, over lanes.
+// What are H, H_x and H_t of W points at once, each at its own t? The program of a homotopy, over
+// lanes.
 //
-//   Coefficients that stand still are the same in all lanes and are broadcast: a real one costs half of a complex one, so
-//   terms with real and complex coefficients are kept apart. Those that move are every lane's own (lane_moving-inl.h).
-//   H_x is summed over registers that t and 1 - t have been multiplied into, where these are fewer than its entries.
-//   expand(): H(x + dx s, t + dt s) to first order in s: its value and its derivative along the direction (dx, dt).
+//   Coefficients that stand still are the same in all lanes and are broadcast: a real one costs
+//   half of a complex one, so terms with real and complex coefficients are kept apart. Those that
+//   move are every lane's own (lane_moving-inl.h).
+//   H_x is summed over registers that t and 1 - t have been multiplied into, where these are fewer
+//   than its entries.
+//   expand(): H(x + dx s, t + dt s) to first order in s: its value and its derivative along the
+//   direction (dx, dt).
 //
-// R: the scalar. x: N, H, H_t: n, H_x: n x N into the rows of a LaneLu. move() comes before the others wherever t changes.
+// R: the scalar. x: N, H, H_t: n, H_x: n x N into the rows of a LaneLu. move() comes before the
+// others wherever t changes.
 // Owns its registers, allocates nothing after construction.
 // Source: [GriewankWalther08, ch. 13] for the truncated series.
 #if defined(MOIVRE_LANE_HOMOTOPY_INL_H_) == defined(HWY_TARGET_TOGGLE)

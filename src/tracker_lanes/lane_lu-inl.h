@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How are W linear systems solved at once? Gaussian elimination with pivoting in every lane by itself, rows
-// exchanged by selection, without a branch on any lane's numbers but one: an exchange that no lane wants is skipped.
+// How are W linear systems solved at once? Gaussian elimination with pivoting in every lane by
+// itself, rows exchanged by selection, without a branch on any lane's numbers but one: an exchange
+// that no lane wants is skipped.
 //
-//   P J = L U in each lane; J: n x n, with two right-hand sides as further columns, so that elimination and
-//   exchanges carry them along and only the back substitution is left.
+//   P J = L U in each lane; J: n x n, with two right-hand sides as further columns, so that
+//   elimination and exchanges carry them along and only the back substitution is left.
 //   Pivot: the row at hand unless another is larger by 1/kPivotThreshold; growth stays bounded by
 //   (1 + 1/kPivotThreshold)^(n-1), and lanes rarely exchange rows.
-//   Elimination goes row by row of what is left; substitution takes inner products, two rows and two right-hand sides at
-//   once, so that four sums in registers hide the multiply-add's latency.
+//   Elimination goes row by row of what is left; substitution takes inner products, two rows and
+//   two right-hand sides at once, so that four sums in registers hide the multiply-add's latency.
 //
 // Singular or not finite: the lane's solutions are infinite or NaN, other lanes are untouched.
 // Source: [Higham02, ch. 9].

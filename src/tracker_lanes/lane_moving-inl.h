@@ -2,9 +2,10 @@
 // What are the moving coefficients of W paths, each at its own t? As homotopy/moving.h, over lanes.
 //
 //   straight     of two ends broadcast to all lanes
-//   toric        by Highway's exponential where t is real in all lanes; every lane has weights of its own
-//   parameters   p(t), and the polynomials q_k of it with their rates as truncated series (lane_parameters-inl.h); every lane may
-//                have a member of its own to go to
+//   toric        by Highway's exponential where t is real in all lanes; every lane has weights of
+//                its own
+//   parameters   p(t), and the polynomials q_k of it with their rates as truncated series
+//                (lane_parameters-inl.h); every lane may have a member of its own to go to
 //   else         lane by lane, in the scalar of one lane
 //
 // R: the scalar. Owns its memory, allocates nothing after construction.

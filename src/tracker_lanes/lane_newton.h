@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What does a lane ask of scalar Newton? A point that rounding keeps it from, or the proof that an end is regular.
+// What does a lane ask of scalar Newton? A point that rounding keeps it from, or the proof that an
+// end is regular.
 //
-//   Complex               x in double, residuals in double-double where they are needed (tracker/path_system.h)
-//   ComplexDoubleDouble   everything in double-double (tracker/fine_path_system.h); ends at t = 1 are to be regular ones
+//   Complex               x in double, residuals in double-double where they are needed
+//                         (tracker/path_system.h)
+//   ComplexDoubleDouble   everything in double-double (tracker/fine_path_system.h); ends at t = 1
+//                         are to be regular ones
 //
 // The number types are those that one lane holds. Compiled once, for all instruction sets.
 #pragma once

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What are the coefficients of W members of a family, each on its own way to its own target? c = q(p(t)) and dc/dt over lanes.
+// What are the coefficients of W members of a family, each on its own way to its own target? c =
+// q(p(t)) and dc/dt over lanes.
 //
-//   p(t) = (1 - t) p + t p',  dp/dt = p' - p;  q_k: the values of a tape, with their derivatives along dp/dt as truncated series
+//   p(t) = (1 - t) p + t p',  dp/dt = p' - p;  q_k: the values of a tape, with their derivatives
+//                                              along dp/dt as truncated series
 //
-// A coefficient 1, which nearly all are where the parameters are the coefficients themselves, is no product.
-// R: the scalar. p: broadcast; p': one a lane. Owns its memory, allocates nothing after construction.
+// A coefficient 1, which nearly all are where the parameters are the coefficients themselves, is no
+// product.
+// R: the scalar. p: broadcast; p': one a lane. Owns its memory, allocates nothing after
+// construction.
 // Source: [GriewankWalther08, ch. 13] for the truncated series.
 #if defined(MOIVRE_LANE_PARAMETERS_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MOIVRE_LANE_PARAMETERS_INL_H_

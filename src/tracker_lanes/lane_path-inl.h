@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Where will each lane's path be a step ahead? Hermite extrapolation through its last points and tangents.
+// Where will each lane's path be a step ahead? Hermite extrapolation through its last points and
+// tangents.
 //
-//   nodes 0, 1, 2 at s, s - g_1, s - g_2;  x(s + h) ~ sum_i A_i(h) x_i + B_i(h) x_i',  local order 6
-//   A_i = (1 - 2 l_i'(s_i)(s + h - s_i)) l_i^2,  B_i = (s + h - s_i) l_i^2,  l_i Lagrange's polynomials
+//   nodes 0, 1, 2 at s, s - g_1, s - g_2;  x(s + h) ~ sum_i A_i(h) x_i + B_i(h) x_i',  local order
+//                                          6
+//   A_i = (1 - 2 l_i'(s_i)(s + h - s_i)) l_i^2,  B_i = (s + h - s_i) l_i^2,  l_i Lagrange's
+//                                                polynomials
 //   over the first one or two nodes alone: order 2 (Euler's step) or 4
 //
-// Homogeneous points are extrapolated in a fixed affine patch a x = 1, where the path is holomorphic in s. The patch is
-// a = x^H / |x|^2 of a point of the path; it is renewed, and the nodes with it, when |a| |x| leaves kPatchReach.
-// A path that sets out has no past: two nodes are laid back along its tangent, so that the first steps are Euler's.
+// Homogeneous points are extrapolated in a fixed affine patch a x = 1, where the path is
+// holomorphic in s. The patch is a = x^H / |x|^2 of a point of the path; it is renewed, and the
+// nodes with it, when |a| |x| leaves kPatchReach.
+// A path that sets out has no past: two nodes are laid back along its tangent, so that the first
+// steps are Euler's.
 // Why this predictor: docs/decisions.
 #if defined(MOIVRE_LANE_PATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MOIVRE_LANE_PATH_INL_H_
@@ -69,7 +74,8 @@ class LanePath {
     }
   }
 
-  /// Where `stepped`, nodes move up after a step h; where `replaced` as well, the last node becomes (x, dx).
+  /// Where `stepped`, nodes move up after a step h; where `replaced` as well, the last node becomes
+  /// (x, dx).
   void advance(Mask stepped, Mask replaced, V h, const LaneVector<R>& x, const LaneVector<R>& dx) {
     for (std::size_t i = 0; i < n_; ++i) {
       advance_entry(stepped, replaced, load(x[i]), nodes_[0].x[i], nodes_[1].x[i], nodes_[2].x[i]);

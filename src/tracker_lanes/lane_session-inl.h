@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which lane does what next? Every lane has a journey, a time and a step of its own; one call steps them all.
+// Which lane does what next? Every lane has a journey, a time and a step of its own; one call steps
+// them all.
 //
-// A lane is departing (Newton from the departure's x), under way, polishing a sample, or idle. What it does is decided by
-// its own numbers alone, so a journey does not depend on its lane, nor on what the others carry. A lane whose
-// journey has ended hands in the arrival and takes the next departure before the next step.
+// A lane is departing (Newton from the departure's x), under way, polishing a sample, or idle. What
+// it does is decided by its own numbers alone, so a journey does not depend on its lane, nor on
+// what the others carry. A lane whose journey has ended hands in the arrival and takes the next
+// departure before the next step.
 #if defined(MOIVRE_LANE_SESSION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MOIVRE_LANE_SESSION_INL_H_
 #undef MOIVRE_LANE_SESSION_INL_H_

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What is one step of all lanes? Predict, correct twice, tangent. One evaluation with Jacobian, one factorization, one value.
+// What is one step of all lanes? Predict, correct twice, tangent. One evaluation with Jacobian, one
+// factorization, one value.
 //
 //   x_p  from the nodes                               H, H_x, H_t at x_p; J = [H_x; a] factored
 //   J dx_1 = [-H; 1 - a x_p],  J x' = [-H_t dt; 0]    x_1 = x_p + dx_1
 //   J dx_2 = [-H(x_1); 0]                             x_2 = x_1 + dx_2     (simplified Newton)
-//   J dx'  = [-(H_x(x_1) x' + H_t dt); 0]             x' <- x' + dx'       (the tangent at x_1, refined)
+//   J dx'  = [-(H_x(x_1) x' + H_t dt); 0]             x' <- x' + dx'       (the tangent at x_1,
+//          refined)
 //
-// A step of length 0 is a Newton correction of the point at hand. |.|_w as in tracker/path_system.h, at x_p.
+// A step of length 0 is a Newton correction of the point at hand. |.|_w as in
+// tracker/path_system.h, at x_p.
 #if defined(MOIVRE_LANE_STEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MOIVRE_LANE_STEP_INL_H_
 #undef MOIVRE_LANE_STEP_INL_H_
@@ -40,7 +43,8 @@ class LaneStep {
   /// Of the path in `lane`, where the homotopy is framed.
   void set_frame(std::size_t lane, const FramePointer& frame) { homotopy_.set_frame(lane, frame); }
 
-  /// Takes every lane of `path` a step h ahead, to the times given. Results are the members below; `path` is not changed.
+  /// Takes every lane of `path` a step h ahead, to the times given. Results are the members below;
+  /// `path` is not changed.
   void take(const LanePath<R>& path, const LaneReals& h, const LaneTime<R>& time) {
     LaneVector<R>& x = corrected;
     path.predict(h.value(), x);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The lane tracker, compiled once for every instruction set; the best that the machine has is chosen when it runs.
+// The lane tracker, compiled once for every instruction set; the best that the machine has is
+// chosen when it runs.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "lane_tracker.cpp"
 #include "moivre/tracker_lanes/lane_tracker.h"

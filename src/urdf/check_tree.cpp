@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do the joints make one tree of the links? What no single joint shows: two parents, loops, several roots, circles of mimics.
+// Do the joints make one tree of the links? What no single joint shows: two parents, loops, several
+// roots, circles of mimics.
 #include <algorithm>
 
 #include "moivre/expression/counted.h"

@@ -52,7 +52,8 @@ std::size_t find_tip(const Robot& robot, const std::optional<std::string>& name,
 
 namespace {
 
-/// A joint's value by that of the one that mimics none, at the end of its leaders: factor * value + offset.
+/// A joint's value by that of the one that mimics none, at the end of its leaders: factor * value +
+/// offset.
 struct Following {
   std::size_t leader = 0;
   double factor = 1, offset = 0;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The word is brought into the form that moivre/expression/expression.h reads, which keeps decimals exact.
+// The word is brought into the form that moivre/expression/expression.h reads, which keeps decimals
+// exact.
 #include "decimal.h"
 
 #include "moivre/expression/expression.h"

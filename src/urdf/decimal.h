@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which exact number is this word of a URDF? Decimals with an optional exponent; "1." and ".5" are numbers there.
+// Which exact number is this word of a URDF? Decimals with an optional exponent; "1." and ".5" are
+// numbers there.
 #pragma once
 
 #include <string>

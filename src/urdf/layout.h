@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a robot laid out as a mechanism? Names that a mechanism file takes, and frames with all joints at zero.
+// How is a robot laid out as a mechanism? Names that a mechanism file takes, and frames with all
+// joints at zero.
 #pragma once
 
 #include <Eigen/Core>

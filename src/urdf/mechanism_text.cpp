@@ -97,7 +97,8 @@ std::string joint_text(const Robot& robot, const Layout& layout, std::size_t num
   return text;
 }
 
-/// Value of a joint that mimics, is mimicked or held, where leaders stand at zero or the limit that is nearest.
+/// Value of a joint that mimics, is mimicked or held, where leaders stand at zero or the limit that
+/// is nearest.
 double driven_value(const Robot& robot, std::size_t number, const std::vector<HeldJoint>& held) {
   if (const auto value = held_value(robot, number, held)) return *value;
   const RobotJoint& joint = robot.joints[number];
@@ -109,7 +110,8 @@ double driven_value(const Robot& robot, std::size_t number, const std::vector<He
   return std::min(std::max(0.0, joint.limits->lower), joint.limits->upper);
 }
 
-/// Joints that need a driver of their own: those that are held, mimic or are mimicked, and that no side file drives.
+/// Joints that need a driver of their own: those that are held, mimic or are mimicked, and that no
+/// side file drives.
 std::set<std::size_t> joints_to_drive(const Robot& robot, const RobotChanges& changes,
                                       const std::vector<std::optional<std::size_t>>& driven) {
   std::set<std::size_t> joints;
@@ -182,8 +184,8 @@ Additions read_loops(const Robot& robot, const Layout& layout, const Source& loo
   return read_additions(loops, mechanism, frames);
 }
 
-/// The joint of the robot that each driver of the side file moves; none where it moves another or a point. In the mechanism the joints
-/// stand in the order of the links.
+/// The joint of the robot that each driver of the side file moves; none where it moves another or a
+/// point. In the mechanism the joints stand in the order of the links.
 std::vector<std::optional<std::size_t>> driven_joints(const Robot& robot, const Layout& layout,
                                                       const Additions& additions) {
   std::vector<std::size_t> order;
@@ -200,7 +202,8 @@ std::vector<std::optional<std::size_t>> driven_joints(const Robot& robot, const 
   return driven;
 }
 
-/// What a driver of the side file contradicts: a joint that is held, and joints that mimic the driven one and are not driven.
+/// What a driver of the side file contradicts: a joint that is held, and joints that mimic the
+/// driven one and are not driven.
 void check_driven(const Robot& robot, const RobotChanges& changes, const Additions& additions,
                   const std::vector<std::optional<std::size_t>>& driven) {
   std::vector<Diagnostic> faults;

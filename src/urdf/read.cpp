@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a URDF file read? XML first, then links, then joints, then the tree, every fault noted, thrown together.
+// How is a URDF file read? XML first, then links, then joints, then the tree, every fault noted,
+// thrown together.
 #include "moivre/urdf/read.h"
 
 #include <algorithm>

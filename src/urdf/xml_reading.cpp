@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How are values taken from XML? With a fault, its place and what was expected, where they do not fit.
+// How are values taken from XML? With a fault, its place and what was expected, where they do not
+// fit.
 #include "xml_reading.h"
 
 #include <algorithm>
@@ -14,7 +15,8 @@
 namespace moivre {
 namespace {
 
-/// Some forty bytes of memory stand for each byte of the smallest elements; no robot's tree needs a megabyte.
+/// Some forty bytes of memory stand for each byte of the smallest elements; no robot's tree needs a
+/// megabyte.
 constexpr std::size_t kLongestXml = 16'000'000;
 
 std::string advice(pugi::xml_parse_status status) {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// What stands in this XML element? Typed look-ups that note every fault with its place instead of stopping.
+// What stands in this XML element? Typed look-ups that note every fault with its place instead of
+// stopping.
 //
-// pugixml parses a copy of the text in place, so that names and values are pointers into it: where they point is where they stand.
+// pugixml parses a copy of the text in place, so that names and values are pointers into it: where
+// they point is where they stand.
 #pragma once
 
 #include <optional>
@@ -32,7 +34,8 @@ class XmlReading {
 
   /// The child of that name; a second one is a fault.
   pugi::xml_node only_child(const pugi::xml_node& in, const char* name);
-  /// The attribute's text; nothing and a fault where it is absent or empty. `what` has it ("a joint").
+  /// The attribute's text; nothing and a fault where it is absent or empty. `what` has it ("a
+  /// joint").
   std::optional<std::string> text(const pugi::xml_node& in, const char* attribute,
                                   const std::string& what);
   /// Nothing where the attribute is absent; nothing and faults where it is not three numbers.

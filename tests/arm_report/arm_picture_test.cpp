@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is every posture of a robot in the picture, where its joints are, and another to the eye than its neighbours?
+// Is every posture of a robot in the picture, where its joints are, and another to the eye than its
+// neighbours?
 #include <gtest/gtest.h>
 
 #include "moivre/arm_report/arm_report.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is the chain between two links the robot's, and is a choice that makes none refused, every fault named?
+// Is the chain between two links the robot's, and is a choice that makes none refused, every fault
+// named?
 #include "moivre/arms/arm.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the formula have all closures of an arm with a group, wherever it is in the arm? And is it found out where it has not?
+// Does the formula have all closures of an arm with a group, wherever it is in the arm? And is it
+// found out where it has not?
 #include <gtest/gtest.h>
 
 #include "../../src/arms/formula_ends.h"
@@ -14,7 +15,8 @@ struct Case {
   DenavitHartenberg dh;
 };
 
-/// No two links alike but for the group's: neighbours outside it are skew, parallel or meet as said.
+/// No two links alike but for the group's: neighbours outside it are skew, parallel or meet as
+/// said.
 std::vector<Case> cases() {
   return {{"wrist at the tip, two parallel", kKr6},
           {"wrist at the tip, two that meet", kPuma},

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a joint that is held at many values give the closures of each value, in order, and are ranges that mean nothing refused?
+// Does a joint that is held at many values give the closures of each value, in order, and are
+// ranges that mean nothing refused?
 #include "moivre/arms/held_range.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is the least motion that of the singular value decomposition, at ordinary postures and next to singular ones?
+// Is the least motion that of the singular value decomposition, at ordinary postures and next to
+// singular ones?
 #include "../../src/arms/least_motion.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do many poses have the closures that each has alone, by a formula or the family where these answer and without them where not?
+// Do many poses have the closures that each has alone, by a formula or the family where these
+// answer and without them where not?
 #include <gtest/gtest.h>
 
 #include "robots.h"

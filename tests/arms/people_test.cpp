@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do people's own arms keep the posture that a pose was made from? Five joints, home poses, axes in line, angles typed to five digits;
+// Do people's own arms keep the posture that a pose was made from? Five joints, home poses, axes in
+// line, angles typed to five digits;
 // poses at singular postures and within 1e-9 to 1e-3 of them.
 #include <gtest/gtest.h>
 
@@ -205,7 +206,8 @@ TEST(PeoplesArmsTest, ASetHasNoMoreDimensionsThanItGoesOnIn) {
   }
 }
 
-/// On the set within the digits two closures meet at the pose's own posture: the file's model has it.
+/// On the set within the digits two closures meet at the pose's own posture: the file's model has
+/// it.
 TEST(PeoplesArmsTest, ClosuresOnASetWithinTheDigitsAreListed) {
   const auto [arm, own, result] = answer_of("ur5_six_digits");
   ASSERT_FALSE(result.moves.empty());
@@ -224,7 +226,8 @@ TEST(PeoplesArmsTest, ASmallSetIsFollowed) {
   EXPECT_EQ(result.closures.size(), 2U);
 }
 
-/// Next to the stretched home pose a pair of closures is so nearly real that the pose is held between them.
+/// Next to the stretched home pose a pair of closures is so nearly real that the pose is held
+/// between them.
 TEST(PeoplesArmsTest, APairThatIsNearlyRealIsAClosureWithinThePosesAccuracy) {
   const auto [arm, own, result] = answer_of("ur30");
   EXPECT_TRUE(result.complete);
@@ -237,7 +240,8 @@ TEST(PeoplesArmsTest, APairThatIsNearlyRealIsAClosureWithinThePosesAccuracy) {
   EXPECT_LE(between->residual, result.accuracy);
 }
 
-/// Stretched, its two closures meet so flatly that rounding leaves a thousandth of a radian open, and the accuracy of the pose a tenth.
+/// Stretched, its two closures meet so flatly that rounding leaves a thousandth of a radian open,
+/// and the accuracy of the pose a tenth.
 TEST(PeoplesArmsTest, PlacesOfAFlatMeetingOfClosuresAreOfThem) {
   const Eigen::VectorXd own{{-1e-10, 6e-10, -6e-10, 6e-10, -1e-09, 2e-10}};
   const Arm arm = made_of({"tm12_three_digits", {}, {}});
@@ -250,7 +254,8 @@ TEST(PeoplesArmsTest, PlacesOfAFlatMeetingOfClosuresAreOfThem) {
   }
 }
 
-/// Folded, its wrist is 3e-7 from the shoulder's axis: on the last ten millionth of their way four closures go far.
+/// Folded, its wrist is 3e-7 from the shoulder's axis: on the last ten millionth of their way four
+/// closures go far.
 TEST(PeoplesArmsTest, PathsAreFollowedToTheirEndsBesideASet) {
   const auto [arm, own, result] = answer_of("tx90");
   EXPECT_TRUE(result.complete);
@@ -258,7 +263,8 @@ TEST(PeoplesArmsTest, PathsAreFollowedToTheirEndsBesideASet) {
   EXPECT_LT(least_distance(arm, result, own), 1e-7);
 }
 
-/// Two closures are 1.2e-3 apart on a bent curve, along which Newton's steps miss the pose by more before they miss it by less.
+/// Two closures are 1.2e-3 apart on a bent curve, along which Newton's steps miss the pose by more
+/// before they miss it by less.
 TEST(PeoplesArmsTest, ClosuresThatNearlyMeetOnABentCurveAreListed) {
   const auto [arm, own, result] = answer_of("crx10ia_three_digits");
   EXPECT_LT(least_distance(arm, result, own), 1e-4);

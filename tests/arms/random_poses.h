@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What must hold for poses that an arm can reach? And does Newton's method from random starts ever find a closure more?
+// What must hold for poses that an arm can reach? And does Newton's method from random starts ever
+// find a closure more?
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,7 +10,8 @@
 
 namespace moivre::test {
 
-/// Poses of random joint values: these among the closures, all true, as many complex ones as the arm's kind has.
+/// Poses of random joint values: these among the closures, all true, as many complex ones as the
+/// arm's kind has.
 inline void expect_found(const Arm& arm, std::uint64_t complex, std::uint64_t poses) {
   for (std::uint64_t k = 0; k < poses; ++k) {
     SCOPED_TRACE("pose " + std::to_string(k));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The same for many poses, each arm's count never below what Newton's method finds from random starts.
+// The same for many poses, each arm's count never below what Newton's method finds from random
+// starts.
 #include <gtest/gtest.h>
 
 #include "random_poses.h"

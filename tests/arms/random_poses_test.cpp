@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Of poses made from random joint values: are these values always among the closures, each closure true, the count that of its kind?
+// Of poses made from random joint values: are these values always among the closures, each closure
+// true, the count that of its kind?
 #include "random_poses.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which arms are tested? Those of problems/robots, and arms made from Denavit-Hartenberg parameters.
+// Which arms are tested? Those of problems/robots, and arms made from Denavit-Hartenberg
+// parameters.
 #pragma once
 
 #include <array>
@@ -24,8 +25,8 @@ inline Arm arm_of(const std::string& name, const std::string& tip,
   return make_arm(robot_of(name), {std::nullopt, tip, held});
 }
 
-/// Six turning joints: each link displaced by d along the axis and a along x, then twisted by alpha (degrees) about x. Those behind
-/// the `joints`-th stand still.
+/// Six turning joints: each link displaced by d along the axis and a along x, then twisted by alpha
+/// (degrees) about x. Those behind the `joints`-th stand still.
 struct DenavitHartenberg {
   std::array<double, 6> a, d, alpha_deg;
   int joints = 6;
@@ -70,7 +71,8 @@ inline const DenavitHartenberg kPuma{
 inline const DenavitHartenberg kManseurDoty{
     {0.3, 1, 0, 1.5, 0, 0}, {0, 0, 0.2, 0, 0, 0}, {90, 1, 90, 1, 90, 1}};
 
-/// Of data sheets: turning joints of a KUKA KR 6 R700, a Staubli TX2-60, an ABB IRB 120 and a UFactory xArm 5.
+/// Of data sheets: turning joints of a KUKA KR 6 R700, a Staubli TX2-60, an ABB IRB 120 and a
+/// UFactory xArm 5.
 inline const DenavitHartenberg kKr6{
     {0.025, 0.315, -0.035, 0, 0, 0}, {0.4, 0, 0, 0.365, 0, 0.08}, {-90, 0, -90, 90, -90, 0}};
 inline const DenavitHartenberg kTx2{

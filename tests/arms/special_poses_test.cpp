@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do poses and arms that defeat other programs have all their closures, too? Tools that point straight down, straight arms, arms
-// that miss their geometry a little, slides, few joints.
+// Do poses and arms that defeat other programs have all their closures, too? Tools that point
+// straight down, straight arms, arms that miss their geometry a little, slides, few joints.
 #include <gtest/gtest.h>
 
 #include "robots.h"
@@ -74,7 +74,8 @@ TEST(SpecialPosesTest, NearASingularPostureTheWeakestMotionIsTold) {
   std::size_t near = 0;
   for (const ArmClosure& closure : result.closures) {
     EXPECT_NEAR(closure.weakest.joints.norm(), 1, 1e-12);
-    // What the joints do at these velocities is the tip's weakest motion, as much slower as the singular value says.
+    // What the joints do at these velocities is the tip's weakest motion, as much slower as the
+    // singular value says.
     const double dt = 1e-6;
     const Eigen::Isometry3d before =
         forward_kinematics(arm, closure.values - dt * closure.weakest.joints);
@@ -199,7 +200,8 @@ Arm gantry() {
 }
 
 TEST(SpecialPosesTest, PathsThatEndOnASetTellNothingButTheSet) {
-  // At a straight wrist Newton's method contracts at any point of the set, complex ones too, which have no conjugates.
+  // At a straight wrist Newton's method contracts at any point of the set, complex ones too, which
+  // have no conjugates.
   const Arm arm = gantry();
   for (std::uint64_t k = 0; k < 20; ++k) {
     SCOPED_TRACE(k);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Has a controller every choice of whole turns that its joints' limits allow, and the posture nearest to where it stands first?
+// Has a controller every choice of whole turns that its joints' limits allow, and the posture
+// nearest to where it stands first?
 #include "moivre/arms/turns.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a certificate in double allocate anything, once its certifier and its result are there? Every operator new is counted.
+// Does a certificate in double allocate anything, once its certifier and its result are there?
+// Every operator new is counted.
 #include <gtest/gtest.h>
 
 #include <atomic>

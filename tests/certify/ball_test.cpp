@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do discs enclose what they should? Random products and sums against exact rational arithmetic, at all sizes.
+// Do discs enclose what they should? Random products and sums against exact rational arithmetic, at
+// all sizes.
 #include "ball.h"
 
 #include <gtest/gtest.h>

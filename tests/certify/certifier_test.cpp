@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are simple roots certified, with balls that hold them, real or not as they are; and is what cannot be asked refused?
+// Are simple roots certified, with balls that hold them, real or not as they are; and is what
+// cannot be asked refused?
 #include "moivre/certify/certifier.h"
 
 #include <gtest/gtest.h>
@@ -41,7 +42,8 @@ TEST(Certifier, ProvesTheSquareRootOfTwo) {
   EXPECT_GT(c.radius[0], 1e-14);
 }
 
-// x^2 = p and p within 1e-3 of 2: one root whatever p is, and all of them lie within the error told.
+// x^2 = p and p within 1e-3 of 2: one root whatever p is, and all of them lie within the error
+// told.
 TEST(Certifier, ProvesARootForEveryValueOfAGivenNumber) {
   Certifier certifier(make_certify_program(system_of("1 2\nx^2 - p;\n"), 1));
   const std::vector<Enclosure> given{{2, {}, 1e-3}};
@@ -140,7 +142,8 @@ TEST(Certifier, CoversWhatDoubleDoubleRoundsOfACoefficient) {
 }
 
 TEST(Certifier, TellsRealFromNearlyReal) {
-  // Pairs from 1/2 to 2^-400 from their real part: the distance passes through every radius that double tries.
+  // Pairs from 1/2 to 2^-400 from their real part: the distance passes through every radius that
+  // double tries.
   for (int k = 1; k <= 400; k += k < 60 ? 1 : 17) {
     for (const int sign : {1, -1}) {
       const System f = pair_at_distance(sign, k);
@@ -195,7 +198,8 @@ TEST(Certifier, TakesMoreDigitsWhereDoubleHasNotEnough) {
   EXPECT_TRUE(lies_within({{1, 0}, {1, 0}}, c, c.error));
 }
 
-// Its Jacobian is 1e-173. In few digits Newton's method is lost in rounding errors, which says nothing of the point.
+// Its Jacobian is 1e-173. In few digits Newton's method is lost in rounding errors, which says
+// nothing of the point.
 TEST(Certifier, ProvesOneOfThirtyRootsWithinAMillionth) {
   const Certificate c = certified("1\n(x - 1)^30 - 1e-180;\n", {1.000001});
   ASSERT_EQ(c.verdict, Verdict::certified);
@@ -263,7 +267,8 @@ TEST(Certifier, NamesARootThatLiesElsewhere) {
   EXPECT_EQ(certifier.certify(Point{HUGE_VAL}).verdict, Verdict::undecided);
 }
 
-// Unknowns from 1e-3 to 1e12: double proves one root in a ball whose radius says nothing of its place.
+// Unknowns from 1e-3 to 1e12: double proves one root in a ball whose radius says nothing of its
+// place.
 TEST(Certifier, NeverTakesAWideBallForARootThatLiesElsewhere) {
   const std::string text =
       "4\n-7e-6*x*y-9542e6*x*z+1000*x-1e-8*w-0.008*z-8e-6;\n"
@@ -306,7 +311,8 @@ TEST(Certifier, SharpensTheSameRoot) {
 }
 
 TEST(Certifier, SharpensNoOtherRootThanThatOfTheBall) {
-  // True, but wide: x = 0 is the one root of x^3 - x within 0.49 of 0.48, and Newton's method goes from there to -1.
+  // True, but wide: x = 0 is the one root of x^3 - x within 0.49 of 0.48, and Newton's method goes
+  // from there to -1.
   Certificate c;
   c.verdict = Verdict::certified;
   c.bits = kDoubleBits;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are roots told apart that are distinct, and known again that are one; however near, in whatever order?
+// Are roots told apart that are distinct, and known again that are one; however near, in whatever
+// order?
 #include "moivre/certify/distinct.h"
 
 #include <gtest/gtest.h>
@@ -93,7 +94,8 @@ TEST(Distinct, NeighboursOfAnyDistanceAreToldApart) {
 TEST(Distinct, DoubtsAreTakenAwayByMoreDigits) {
   const System f = system_of("1\nx^2 - 2;\n");
   Certifier certifier(make_certify_program(f));
-  // True, but made so wide that they cannot be compared: -sqrt(2) and sqrt(2), and sqrt(2) off its middle.
+  // True, but made so wide that they cannot be compared: -sqrt(2) and sqrt(2), and sqrt(2) off its
+  // middle.
   const double root = std::sqrt(2.0);
   std::vector<Certificate> certificates = {ball({root}, 1.42, 1.415), ball({-root}, 1.42, 1.415),
                                            ball({root + 1.4}, 1.42, 1.415)};
@@ -107,7 +109,8 @@ TEST(Distinct, DoubtsAreTakenAwayByMoreDigits) {
 }
 
 TEST(Distinct, TheSweepFindsEveryPairThatMeets) {
-  // A grid of balls, each of which meets its neighbours; all pairs compared one by one give the same.
+  // A grid of balls, each of which meets its neighbours; all pairs compared one by one give the
+  // same.
   std::vector<Certificate> certificates;
   for (int a = 0; a < 12; ++a) {
     for (int b = 0; b < 12; ++b) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Is any certificate ever untrue? Fabricated candidates of planted systems, each verdict judged in exact arithmetic.
+// Is any certificate ever untrue? Fabricated candidates of planted systems, each verdict judged in
+// exact arithmetic.
 //
-// Candidates: roots moved by 1e-1 to 1e-14, middles between roots (saddle points where they are neighbours), real parts of
-// roots that are not real, random points, roots of the system with one coefficient changed. `systems` of them, each with
-// some 60 candidates and accuracies from 1e-10 to 1.
+// Candidates: roots moved by 1e-1 to 1e-14, middles between roots (saddle points where they are
+// neighbours), real parts of roots that are not real, random points, roots of the system with one
+// coefficient changed. `systems` of them, each with some 60 candidates and accuracies from 1e-10 to
+// 1.
 #pragma once
 
 #include <gtest/gtest.h>

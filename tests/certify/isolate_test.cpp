@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are all roots of one unknown told apart, however near they are, and multiple ones with their multiplicities?
+// Are all roots of one unknown told apart, however near they are, and multiple ones with their
+// multiplicities?
 #include "moivre/certify/isolate.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Planted roots: built and judged in exact rational arithmetic, with nothing of the module under test.
+// Planted roots: built and judged in exact rational arithmetic, with nothing of the module under
+// test.
 #include "planted.h"
 
 #include <algorithm>

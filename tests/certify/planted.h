@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which systems have roots that are all known exactly? Products of lines in turned coordinates, with rational roots.
+// Which systems have roots that are all known exactly? Products of lines in turned coordinates,
+// with rational roots.
 //
 //   u = A x, A integer with determinant 1;  F_i = prod_k (u_i - r_ik - s_ik u_{i-1}),  u_0 = 0
 //
-// so that u_1 is one of r_1k, u_2 one of r_2k + s_2k u_1, ...: as many roots as the product of the degrees, with multiplicity.
+// so that u_1 is one of r_1k, u_2 one of r_2k + s_2k u_1, ...: as many roots as the product of the
+// degrees, with multiplicity.
 #pragma once
 
 #include <cstdint>

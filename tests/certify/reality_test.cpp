@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is real, not real or unknown told of a ball as it should be, above all where |Im| lies just under and over a radius?
+// Is real, not real or unknown told of a ball as it should be, above all where |Im| lies just under
+// and over a radius?
 #include "reality.h"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,8 @@ TEST(Reality, OfABallFollowsFromErrorAndRadius) {
     // The conjugate of the enclosure reaches to 2 |Im m| + error from m.
     EXPECT_EQ(reality_at(sign * 0.2499), Reality::real);
     EXPECT_EQ(reality_at(sign * 0.2501), Reality::unknown);
-    // Just under the error and the radius: the ball and its conjugate overlap, which proves nothing.
+    // Just under the error and the radius: the ball and its conjugate overlap, which proves
+    // nothing.
     EXPECT_EQ(reality_at(sign * 0.4999), Reality::unknown);
     EXPECT_EQ(reality_at(sign * 0.5001), Reality::not_real);
     EXPECT_EQ(reality_at(sign * 0.9999), Reality::not_real);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does exact algebra give all simple roots of small systems, of whatever size, and nothing where it cannot?
+// Does exact algebra give all simple roots of small systems, of whatever size, and nothing where it
+// cannot?
 #include "moivre/certify/ring_points.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is each of these lies found, by the name of the claim and the root's number; and does what is honest pass?
+// Is each of these lies found, by the name of the claim and the root's number; and does what is
+// honest pass?
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,7 +71,8 @@ std::size_t first_root(const Json& result, bool real) {
   throw std::logic_error("no such root");
 }
 
-// Of plane.json: roots 1 and 2 are real, 3 and 4 conjugates; of doubles.json: roots 1 and 3 are double.
+// Of plane.json: roots 1 and 2 are real, 3 and 4 conjugates; of doubles.json: roots 1 and 3 are
+// double.
 const Lie kLies[] = {
     {"a root moved by ten accuracies", "plane", [](Json& r) { move_by_accuracies(r, 3, 2, 10); },
      ClaimKind::accuracy, 3},
@@ -375,7 +377,8 @@ TEST(Check, AnInterruptedRunHasFollowedSomeOfItsPaths) {
 TEST(Check, AProofThatIsNotFoundAgainIsNotCalledFalse) {
   const System f = system_of_result("near-pairs");
   Json result = honest("near-pairs");
-  // Points so far from the roots that no certificate is found near them, and none that there is no root.
+  // Points so far from the roots that no certificate is found near them, and none that there is no
+  // root.
   for (Json& solution : result["solutions"]) {
     for (Json& xj : solution["x"]) xj[0] = xj[0].get<double>() * (1 + 1e-5);
     solution["accuracy"] = 1e-3;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the judge keep its calm whatever it is given? Broken bytes are refused or judged, extreme numbers are judged.
+// Does the judge keep its calm whatever it is given? Broken bytes are refused or judged, extreme
+// numbers are judged.
 #include <gtest/gtest.h>
 
 #include <stdexcept>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does moivre check pass what moivre solve says of its problems, find what was changed, and refuse what is no result?
+// Does moivre check pass what moivre solve says of its problems, find what was changed, and refuse
+// what is no result?
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -11,7 +12,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Files of problems/: regular roots, multiple ones, sets, ill-scaled and ill-conditioned ones, more equations than unknowns.
+// Files of problems/: regular roots, multiple ones, sets, ill-scaled and ill-conditioned ones, more
+// equations than unknowns.
 const char* const kHonest[] = {"polynomials/badvars.phc",
                                "polynomials/burmester-5.phc",
                                "polynomials/cascade-4.phc",

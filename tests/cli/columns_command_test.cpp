@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do --columns and --output of `moivre motion` keep their contract: table, extremes, JSON, the page, refusals?
+// Do --columns and --output of `moivre motion` keep their contract: table, extremes, JSON, the
+// page, refusals?
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

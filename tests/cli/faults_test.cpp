@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the program end whole where the machine gives no more: time, memory, room on the disk, a terminal?
+// Does the program end whole where the machine gives no more: time, memory, room on the disk, a
+// terminal?
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -19,7 +20,8 @@ using Json = nlohmann::json;
 
 constexpr const char* kInterrupted = "interrupted: what is finished is reported";
 
-/// x1 = 1 and x_{k+1} = 2 x_k - x_{k-1} + ..., each with some more unknowns: linear, and long to eliminate.
+/// x1 = 1 and x_{k+1} = 2 x_k - x_{k-1} + ..., each with some more unknowns: linear, and long to
+/// eliminate.
 std::string linear_equations(int n) {
   std::string text = std::to_string(n) + "\n";
   for (int i = 1; i <= n; ++i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is docs/json.md true? Runs each of its commands and compares names and kinds of all values with the page.
+// Is docs/json.md true? Runs each of its commands and compares names and kinds of all values with
+// the page.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do `newton`, `mobility`, `guesses` and `closures` take every kind of file, and refuse with reasons what they cannot?
+// Do `newton`, `mobility`, `guesses` and `closures` take every kind of file, and refuse with
+// reasons what they cannot?
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

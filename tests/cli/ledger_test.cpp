@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a run that is kept in a ledger survive kill -9 at any moment, and everything else that befalls files?
+// Does a run that is kept in a ledger survive kill -9 at any moment, and everything else that
+// befalls files?
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>

@@ -16,7 +16,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// A crank of 3 and a rocker of 2 on a ground of 4, a rod of 3 between them: dead where the crank stands at 90 degrees.
+/// A crank of 3 and a rocker of 2 on a ground of 4, a rod of 3 between them: dead where the crank
+/// stands at 90 degrees.
 constexpr const char* kCrank = R"([units]
 angle = "deg"
 [ground.points]

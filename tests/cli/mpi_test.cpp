@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do processes that mpirun starts come to the bytes of one process, and does a run survive the death of one of them?
+// Do processes that mpirun starts come to the bytes of one process, and does a run survive the
+// death of one of them?
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -22,7 +23,8 @@ Words together(Words words, const Words& more) {
   return words;
 }
 
-/// mpirun of so many ranks, as root too and on fewer cores. OpenMPI reads that; others need none of it.
+/// mpirun of so many ranks, as root too and on fewer cores. OpenMPI reads that; others need none of
+/// it.
 Outcome run_ranks(
     const Scene& scene, int ranks, const Words& call,
     const std::function<void(int)>& meanwhile = [](int) {}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do the commands that draw keep their contract: where pictures go, and what is refused before the work?
+// Do the commands that draw keep their contract: where pictures go, and what is refused before the
+// work?
 #include <gtest/gtest.h>
 
 #include <algorithm>

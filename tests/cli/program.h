@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What does the program do when it is called like this? Runs `moivre` in a folder of its own and catches all it says.
+// What does the program do when it is called like this? Runs `moivre` in a folder of its own and
+// catches all it says.
 #pragma once
 
 #include <functional>
@@ -34,7 +35,8 @@ class Scene {
 
   /// Runs `moivre` with these arguments in the folder.
   Outcome run(const std::vector<std::string>& arguments) const;
-  /// The same, with a terminal as stderr where `terminal`, and `meanwhile` called with the process id while it runs.
+  /// The same, with a terminal as stderr where `terminal`, and `meanwhile` called with the process
+  /// id while it runs.
   Outcome run(const std::vector<std::string>& arguments, bool terminal,
               const std::function<void(int)>& meanwhile) const;
 

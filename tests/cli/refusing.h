@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a command refuse what it cannot do, with exit code 1, nothing on stdout and the reasons on stderr?
+// Does a command refuse what it cannot do, with exit code 1, nothing on stdout and the reasons on
+// stderr?
 #pragma once
 
 #include <gtest/gtest.h>

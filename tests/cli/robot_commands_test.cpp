@@ -159,7 +159,8 @@ TEST_F(RobotCommands, ASideFileClosesTheLoopsOfARobot) {
   std::string rods = scene.read(kRobots + "delta.loops.toml");
   rods.resize(rods.find("[[driver]]"));
   scene.write("rods.toml", rods);
-  // Where the platform is given, each arm has two postures, whether its slides are held or its pose.
+  // Where the platform is given, each arm has two postures, whether its slides are held or its
+  // pose.
   const Json held = counts_of(
       {delta, "--loops", "rods.toml", "--hold", "x=0.05", "--hold", "y=0.03", "--hold", "z=-0.45"});
   EXPECT_EQ(held.at("counts").at("real"), 8);

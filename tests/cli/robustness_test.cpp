@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the program lose nothing when it is stopped, when it cannot write, and when it is called carelessly?
+// Does the program lose nothing when it is stopped, when it cannot write, and when it is called
+// carelessly?
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do the commands meet the course notes where a user would meet them? A test a page, files typed as on the slides.
+// Do the commands meet the course notes where a user would meet them? A test a page, files typed as
+// on the slides.
 #include <gtest/gtest.h>
 
 #include <algorithm>

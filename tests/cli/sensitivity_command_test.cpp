@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does `moivre closures --sensitivity` keep its contract: text, table, JSON, tolerances, dead points, spare constraints, refusals?
+// Does `moivre closures --sensitivity` keep its contract: text, table, JSON, tolerances, dead
+// points, spare constraints, refusals?
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>

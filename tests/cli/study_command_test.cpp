@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does `moivre study` refuse before it runs, write its folder, draw where gnuplot is, and end cleanly when interrupted?
+// Does `moivre study` refuse before it runs, write its folder, draw where gnuplot is, and end
+// cleanly when interrupted?
 #include <gtest/gtest.h>
 
 #include <csignal>

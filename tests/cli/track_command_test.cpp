@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does `moivre track` follow the path that solve follows, or one from a start system of the user's own?
+// Does `moivre track` follow the path that solve follows, or one from a start system of the user's
+// own?
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -83,7 +83,8 @@ TEST(Page, PutsEachFrameWhereItsBodyIs) {
   const Json data = data_of(motion_html(motion, mechanism, "file"));
   const Json& frames = data["branches"][0]["frames"];
   ASSERT_EQ(frames.size(), motion.branches[0].samples.size());
-  // Frames 0..3 are ground, crank, coupler, rocker; a frame is (cos, -sin, x, y) in pixels, y downwards.
+  // Frames 0..3 are ground, crank, coupler, rocker; a frame is (cos, -sin, x, y) in pixels, y
+  // downwards.
   const double pixels_per_mm =
       (frames[0][4 * 3 + 2].get<double>() - frames[0][2].get<double>()) / 100;
   for (std::size_t k = 0; k < frames.size(); ++k) {
@@ -201,7 +202,8 @@ TEST(MotionPicture, HasACurveForEachBranchAndTracedPoint) {
 TEST(MotionPicture, MarksDeadPointsAndNamesThem) {
   const Mechanism mechanism = mechanism_file("slider-crank");
   const std::string svg = motion_svg(motion_of(mechanism), mechanism, "file");
-  // Two points on six branches, with an event at one end (A, B, E, F) or at both (C, D); and the legend's.
+  // Two points on six branches, with an event at one end (A, B, E, F) or at both (C, D); and the
+  // legend's.
   EXPECT_EQ(count(svg, "class=\"event\""), 2U * 8 + 1);
   EXPECT_EQ(count(svg, "A: crank = 30 deg to crank = 36.869898 deg (dead point)"), 1U);
 }
@@ -258,7 +260,8 @@ TEST(MotionPicture, OfTypedEquationsPlotsEachUnknownOverTheTime) {
   EXPECT_TRUE(test::Markup(svg).is_well_formed());
   EXPECT_EQ(count(svg, "<rect class=\"axis\""), mechanism.unknowns.size());
   for (const Unknown& unknown : mechanism.unknowns) EXPECT_GE(count(svg, '>' + unknown.name), 1U);
-  // A curve of each branch in each plot and one in the legend, and there two stripes for shared curves.
+  // A curve of each branch in each plot and one in the legend, and there two stripes for shared
+  // curves.
   EXPECT_EQ(count(svg, "several branches on one curve"), 1U);
   EXPECT_EQ(count(svg, "<path class=\"curve "),
             motion.branches.size() * (mechanism.unknowns.size() + 1) + 2);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is the picture of all closures complete, legible and well-formed, for every mechanism of problems/mechanisms?
+// Is the picture of all closures complete, legible and well-formed, for every mechanism of
+// problems/mechanisms?
 #include "moivre/closure_report/picture.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +57,8 @@ TEST(Picture, OfASpatialMechanismComesFromThreeSidesInOneScale) {
   EXPECT_EQ(count(svg, "in the file&#39;s unit of length"), 1U);
 }
 
-// A place seen from the front and from above goes the same way to the right; from the right, the place's y does.
+// A place seen from the front and from above goes the same way to the right; from the right, the
+// place's y does.
 TEST(Picture, ThreeSidesShowTheCoordinatesTheyName) {
   const Mechanism bennett = mechanism_file("bennett");
   constexpr double kRightAngle = std::numbers::pi / 2;
@@ -128,7 +130,8 @@ TEST(Picture, OfEveryMechanismIsWellFormed) {
   }
 }
 
-/// Square pixels that two labels of one panel share at the most, and the frame outside which none reaches.
+/// Square pixels that two labels of one panel share at the most, and the frame outside which none
+/// reaches.
 void expect_legible(const std::string& name) {
   const Mechanism mechanism = mechanism_file(name);
   std::vector<Eigen::VectorXd> poses;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a text well-formed markup? Elements closed in order, attributes quoted, entities known: what an XML parser insists on.
+// Is a text well-formed markup? Elements closed in order, attributes quoted, entities known: what
+// an XML parser insists on.
 // HTML's elements without content (input) are taken as closed.
 #pragma once
 
@@ -11,7 +12,8 @@
 
 namespace moivre::test {
 
-/// Elements in the order in which they open; fails where the text is not well-formed. No comments, no declarations.
+/// Elements in the order in which they open; fails where the text is not well-formed. No comments,
+/// no declarations.
 class Markup {
  public:
   explicit Markup(const std::string& text) : text_(text) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How many closures do the published mechanisms have, complex and real, and how few paths find them?
+// How many closures do the published mechanisms have, complex and real, and how few paths find
+// them?
 #include "moivre/closures/closures.h"
 
 #include <gtest/gtest.h>
@@ -148,8 +149,8 @@ TEST(Closures, TheSixBarOfTheReadmeHasFour) {
   EXPECT_EQ(result.counts.real, 4u);
 }
 
-/// At 210 degrees a crank of 40 is 20 below the slider's line, as far as the rod is long: a dead point. The sine of 210 degrees is rounded,
-/// so that one closure is not proved to be two, or none.
+/// At 210 degrees a crank of 40 is 20 below the slider's line, as far as the rod is long: a dead
+/// point. The sine of 210 degrees is rounded, so that one closure is not proved to be two, or none.
 TEST(Closures, ADeadPointMissedByRoundingHasLostNoRoot) {
   const Mechanism mechanism =
       mechanism_text("[units]\nangle = \"deg\"\n" + test::slider_crank_links(40, 20, 0) +
@@ -190,7 +191,8 @@ TEST(Closures, TheDriversTimeMovesTheCrank) {
   expect_assembled(later, mechanism);
 }
 
-// All positions are 0 there but for rounding: an equation between two of them has no scale but the mechanism's.
+// All positions are 0 there but for rounding: an equation between two of them has no scale but the
+// mechanism's.
 TEST(Closures, ABodyWeldedToTheOriginOfOneThatStandsWhereItWasDrawnLosesNoClosure) {
   const std::string platform = R"toml(
 [ground.points]

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Is what is told of a four-bar within rounding of a dead point true of the numbers as typed?
 //
-// Truth: |AD| against coupler + rocker and |coupler - rocker| in 60 digits (mpmath), decimals as typed, cosine and sine of the typed
-// angle. The rocker is what would make a dead point, rounded to double, up to three units in the last place from that.
+// Truth: |AD| against coupler + rocker and |coupler - rocker| in 60 digits (mpmath), decimals as
+// typed, cosine and sine of the typed angle. The rocker is what would make a dead point, rounded to
+// double, up to three units in the last place from that.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -113,7 +114,8 @@ TEST(NearADeadPoint, ADeadPointItselfIsNotProvedToBeTwoClosures) {
   for (const Closure& closure : result.closures) EXPECT_NE(closure.certified, true);
 }
 
-/// A crank of 4, a rod and a slide that ends at (12, 0, 0): 0.36 + 0.64 is 1, so that crank and rod are in line where the rod is 8.
+/// A crank of 4, a rod and a slide that ends at (12, 0, 0): 0.36 + 0.64 is 1, so that crank and rod
+/// are in line where the rod is 8.
 std::string slide_in_space(const std::string& rod) {
   return "space = \"spatial\"\n[ground.points]\nO = [0, 0, 0]\nG = [12, -1.2, -1.6]\n"
          "[body.crank.points]\nO = [0, 0, 0]\nA = [4, 0, 0]\n[body.slider.points]\nB = [12, 0, 0]\n"
@@ -143,8 +145,8 @@ TEST(NearADeadPoint, InSpaceWhatRoundingCannotMergeIsProved) {
   EXPECT_EQ(beyond.counts.real, 0U);
 }
 
-// A quick return in two of its dead points. Above one angle of its arm rounding parts the two roots of
-// the slider by 1e-17 of their size: their condition, 1e19, is not that of a set.
+// A quick return in two of its dead points. Above one angle of its arm rounding parts the two roots
+// of the slider by 1e-17 of their size: their condition, 1e19, is not that of a set.
 TEST(NearADeadPoint, APairOfRootsThatRoundingHardlyPartsIsNoSet) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const ClosureResult result = closures_of(mechanism_text(R"toml(

@@ -92,7 +92,8 @@ TEST(FourBars, SixBarsHaveTheLoopsOfTheirChains) {
 }
 
 TEST(FourBars, PinsOfSeveralLinksAndRodsAreSeen) {
-  // Jansen's leg: two loops over the crank, the links between its pin and P, those between P and the foot.
+  // Jansen's leg: two loops over the crank, the links between its pin and P, those between P and
+  // the foot.
   const std::vector<FourBar> jansen = four_bars(example("jansen-leg"));
   std::size_t on_crank = 0;
   for (const FourBar& loop : jansen) on_crank += loop.links[1] == "crank" ? 1 : 0;

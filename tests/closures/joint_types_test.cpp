@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Have mechanisms with every type of spatial joint as many closures as geometry says, and those with joints taken apart the same?
+// Have mechanisms with every type of spatial joint as many closures as geometry says, and those
+// with joints taken apart the same?
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -82,8 +83,9 @@ TEST_P(EveryJointType, HasAsManyClosuresAsGeometrySays) {
   }
 }
 
-// An arm of three turns reaches a point in 4 ways; a line meets a torus in 4 points, a plane a circle in 2. Points on planes are
-// linear in the nine entries of R and the shift: three quadrics in P^3 are left. Three points on lines are three distances.
+// An arm of three turns reaches a point in 4 ways; a line meets a torus in 4 points, a plane a
+// circle in 2. Points on planes are linear in the nine entries of R and the shift: three quadrics
+// in P^3 are left. Three points on lines are three distances.
 INSTANTIATE_TEST_SUITE_P(
     Spatial, EveryJointType,
     testing::Values(Joined{"AnArmHeldByItsTip",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is wrong with the closures that were found of a random linkage? Its own pose, Newton's method and another seed tell.
+// What is wrong with the closures that were found of a random linkage? Its own pose, Newton's
+// method and another seed tell.
 #pragma once
 
 #include <algorithm>
@@ -61,7 +62,8 @@ inline std::string number_text(const Eigen::VectorXd& q) {
 /// The smallest singular value of a closure that is surely one.
 inline constexpr double kRegular = 1e-6;
 
-/// Regular poses to which Newton's method comes from random ones: rounds of `starts` of these, until one brings nothing new.
+/// Regular poses to which Newton's method comes from random ones: rounds of `starts` of these,
+/// until one brings nothing new.
 inline std::vector<Eigen::VectorXd> poses_by_newton(const Mechanism& mechanism,
                                                     std::uint64_t starts, Draw draw) {
   constexpr int kRounds = 20;
@@ -86,8 +88,9 @@ inline std::vector<Eigen::VectorXd> poses_by_newton(const Mechanism& mechanism,
   return poses;
 }
 
-/// Empty where nothing is: q = 0 is a closure, closures are different poses and satisfy every constraint, another seed counts as many
-/// complex ones, and those that were found `by_newton` are among them. `mechanism` has the first bodies of the one that was solved.
+/// Empty where nothing is: q = 0 is a closure, closures are different poses and satisfy every
+/// constraint, another seed counts as many complex ones, and those that were found `by_newton` are
+/// among them. `mechanism` has the first bodies of the one that was solved.
 inline std::string fault_of(const Mechanism& mechanism, const ClosureResult& result,
                             const ClosureResult& again,
                             const std::vector<Eigen::VectorXd>& by_newton) {

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // How is a linkage drawn at random, typed in the coordinates of one assembled pose?
 //
-// Every point is typed as it lies in that pose, so that the pose is q = 0. Half of the linkages have special geometry: places on a
-// lattice, axes along x, y and z, so that axes are parallel, meet, and lengths are equal.
+// Every point is typed as it lies in that pose, so that the pose is q = 0. Half of the linkages
+// have special geometry: places on a lattice, axes along x, y and z, so that axes are parallel,
+// meet, and lengths are equal.
 #pragma once
 
 #include <Eigen/Geometry>

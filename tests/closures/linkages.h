@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Linkages for tests of circuits: four-bars by their lengths, six-bars by a drawn pose, Klann's leg.
+// Linkages for tests of circuits: four-bars by their lengths, six-bars by a drawn pose, Klann's
+// leg.
 #pragma once
 
 #include <array>
@@ -89,7 +90,8 @@ inline Mechanism watt_2(const std::vector<std::array<double, 2>>& places,
                places, driven);
 }
 
-/// The leg of United States patent 6,260,862, drawn with its crank pointing to the left; a Stephenson III.
+/// The leg of United States patent 6,260,862, drawn with its crank pointing to the left; a
+/// Stephenson III.
 inline Mechanism klann(const std::string& driven, double start_deg = 0) {
   return stephenson_3({{1.599, 0.750},
                        {1.331, 0.750},

@@ -60,7 +60,8 @@ TEST(Moves, AThirdParallelCrankThoughEquationsAreAsManyAsUnknowns) {
   expect_moves(mechanism, 1);
 }
 
-// Where its cranks lie in line motions cross, and some paths end there: no root of them is isolated.
+// Where its cranks lie in line motions cross, and some paths end there: no root of them is
+// isolated.
 TEST(Moves, AThirdParallelCrankHasNoIsolatedClosureForAnySeed) {
   Mechanism mechanism = undriven("double-parallel-crank");
   mechanism.guess.clear();
@@ -191,7 +192,8 @@ TEST(Moves, NotWhatDanglesFromATriangleThatCannotBeAssembled) {
   EXPECT_TRUE(result.closures.empty());
 }
 
-/// Links `left` and `right` over `base`; two links of 2, pinned to their tip and to each other, turn about it as one.
+/// Links `left` and `right` over `base`; two links of 2, pinned to their tip and to each other,
+/// turn about it as one.
 Mechanism triangle_with_a_folded_pair(const std::string& base, const std::string& left = "3",
                                       const std::string& right = "4") {
   return mechanism_text("[ground.points]\nP = [0, 0]\nQ = [" + base + R"toml(, 0]
@@ -234,7 +236,8 @@ TEST(Moves, AFoldedPairOnATriangle) {
   EXPECT_EQ(result.moves->dimension, 1U);
 }
 
-// The pair hangs on two links whose common place is known by two roundings: a star of joints makes it one.
+// The pair hangs on two links whose common place is known by two roundings: a star of joints makes
+// it one.
 TEST(Moves, AFoldedPairTypedOnTwoLinksOfOnePin) {
   for (Mechanism mechanism : {triangle_with_a_folded_pair("5"),
                               triangle_with_a_folded_pair("0.0537", "0.0311", "0.0429")}) {
@@ -269,7 +272,8 @@ TEST(Moves, IsUndecidedWhereNoRealPoseIsFound) {
             "from 32 starts; there may be none: give a guess, or drivers");
 }
 
-// Of 13 equations in 12 unknowns a square choice may leave a set of roots that the last equation cuts.
+// Of 13 equations in 12 unknowns a square choice may leave a set of roots that the last equation
+// cuts.
 TEST(Redundancy, TheOrderOfJointsDoesNotMatter) {
   Mechanism mechanism = mechanism_file("double-parallel-crank");
   std::vector<std::size_t> order{1, 2, 3, 4, 5, 0};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are the closures found of loops with more equations than unknowns, each once, and none where these contradict each other?
+// Are the closures found of loops with more equations than unknowns, each once, and none where
+// these contradict each other?
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -32,7 +33,8 @@ TEST(OverconstrainedClosures, BricardsLinkageMovesInOneDirection) {
   }
 }
 
-// Rounded far from the origin it would not move, and points of its motion would be told as isolated closures.
+// Rounded far from the origin it would not move, and points of its motion would be told as isolated
+// closures.
 TEST(OverconstrainedClosures, BricardsLinkageMovesWhereverItStands) {
   for (const Eigen::Vector3d& place :
        {Eigen::Vector3d(12.3, -4.7, 8.1), Eigen::Vector3d(6.3, 0, 0)}) {
@@ -48,7 +50,8 @@ TEST(OverconstrainedClosures, BricardsLinkageMovesWhereverItStands) {
   }
 }
 
-// A hinge's axis that is no fraction is rounded, and its motion with it: what is left of the motion is no isolated closure.
+// A hinge's axis that is no fraction is rounded, and its motion with it: what is left of the motion
+// is no isolated closure.
 TEST(OverconstrainedClosures, PointsOfARoundedMotionAreNoIsolatedClosures) {
   Mechanism mechanism = mechanism_file("bricard");
   const Eigen::Matrix3d turn = (Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, -1).normalized()) *
@@ -107,7 +110,8 @@ velocity = 360
 )toml";
 }
 
-// Half a turn of the cross leads from one to the other. All axes meet in a point, where the shifts of a loop of 100 leave rounding alone.
+// Half a turn of the cross leads from one to the other. All axes meet in a point, where the shifts
+// of a loop of 100 leave rounding alone.
 TEST(OverconstrainedClosures, CardanShaftHasTwo) {
   for (const Mechanism& mechanism :
        {mechanism_text(cardan_shaft("86.6025403784", "50", "[0.866025403784, 0.5, 0]")),
@@ -188,7 +192,8 @@ TEST(OverconstrainedClosures, SphericalFourBarHasTwoWhereverItStands) {
   }
 }
 
-// With bars of one length the top may be folded onto the base, where the second leg swings; two closures stand beside that.
+// With bars of one length the top may be folded onto the base, where the second leg swings; two
+// closures stand beside that.
 TEST(OverconstrainedClosures, SarrussLinkageHasTwoBesideItsFoldedPoses) {
   if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
   const Mechanism mechanism = mechanism_text(sarrus_text("start = 10"));
@@ -205,7 +210,8 @@ TEST(OverconstrainedClosures, SarrussLinkageHasTwoBesideItsFoldedPoses) {
   }
 }
 
-// Overconstrained: what rounding leaves of its spare equations has to be seen beside their own terms, in millimetres as well.
+// Overconstrained: what rounding leaves of its spare equations has to be seen beside their own
+// terms, in millimetres as well.
 TEST(OverconstrainedClosures, BennettsLinkageClosesAtEveryAngleInEveryUnit) {
   const Mechanism mechanism = mechanism_text(R"toml(title = "Bennett"
 space = "spatial"
@@ -258,7 +264,8 @@ velocity = 360
   }
 }
 
-// Two roots of the three equations that are solved lie 1e-16 apart, at one regular pose: the fourth leaves one of them.
+// Two roots of the three equations that are solved lie 1e-16 apart, at one regular pose: the fourth
+// leaves one of them.
 TEST(OverconstrainedClosures, AreToldOnceWhereRoundingPartsARootOfTheSolvedEquations) {
   const Mechanism mechanism = mechanism_text(R"toml(space = "spatial"
 [ground.points]
@@ -306,7 +313,8 @@ start = 1.566
   }
 }
 
-/// Cranks of 3 about pivots 4 apart, lying in line with the coupler, whose pins are `apart`; rounded they do not close at the fold.
+/// Cranks of 3 about pivots 4 apart, lying in line with the coupler, whose pins are `apart`;
+/// rounded they do not close at the fold.
 std::string folded_cranks(int cranks, const std::string& apart) {
   std::string text = "[ground.points]\nO0 = [0, 0]\nO1 = [4, 0]\nO2 = [8, 0]\n";
   std::string joints;

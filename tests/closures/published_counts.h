@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How many closures has each mechanism of problems/mechanisms, by who published or counted them, and how few paths find them?
+// How many closures has each mechanism of problems/mechanisms, by who published or counted them,
+// and how few paths find them?
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are the closures those that others found, angle by angle? Poses from the literature, and from PHCpack's solutions of the loops.
+// Are the closures those that others found, angle by angle? Poses from the literature, and from
+// PHCpack's solutions of the loops.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -154,7 +155,8 @@ INSTANTIATE_TEST_SUITE_P(Mechanisms, PublishedAngles, testing::ValuesIn(publishe
                            return name;
                          });
 
-// Innocenti and Parenti-Castelli 1992: x, y, phi of the platform. They print its angle at B1 as 0.8822, its sides give 0.8826:
+// Innocenti and Parenti-Castelli 1992: x, y, phi of the platform. They print its angle at B1 as
+// 0.8822, its sides give 0.8826:
 // 4e-4 of the side of 20.84 is what the poses may differ by, and twice that near a singular one.
 TEST(PublishedPlatform, Of3RprIsMetAsFarAsItsPrintedAngleGoes) {
   constexpr double kPrintedAngle = 0.0167;

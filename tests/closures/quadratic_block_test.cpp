@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do blocks by formula have the roots that their paths lead to, and is what is not clear left to paths?
+// Do blocks by formula have the roots that their paths lead to, and is what is not clear left to
+// paths?
 #include "quadratic_block.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +46,8 @@ TEST(BlocksByFormula, HaveTheRootsThatPathsLeadTo) {
   }
 }
 
-// Stretched rods of lengths 3 and 4 over a distance of 7, and of a little less: two roots in one place, and nearly so.
+// Stretched rods of lengths 3 and 4 over a distance of 7, and of a little less: two roots in one
+// place, and nearly so.
 Mechanism stretched(double distance) {
   return mechanism_text("[ground.points]\nA = [0, 0]\nB = [" + std::to_string(distance) +
                         ", 0]\n[body.left.points]\nA = [0, 0]\nC = [3, 0]\n"

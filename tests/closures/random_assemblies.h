@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Which planar mechanisms do designers build, drawn at random? Groups one after another on cranks, with gears, and wheels that idle.
+// Which planar mechanisms do designers build, drawn at random? Groups one after another on cranks,
+// with gears, and wheels that idle.
 //
 //   crank          a body on a pin or a slide of the ground, driven
-//   group          one to four loops of dyads (two bodies and three joints), single bodies, and ternary bodies on three legs; each hangs
-//                  on two or three bodies that are there already, now and then on the cranks and the ground alone: a sub-chain
-//   gear           a wheel on a body that is there, meshing with another: a pair on the ground, a planet on an arm
+//   group          one to four loops of dyads (two bodies and three joints), single bodies, and
+//                  ternary bodies on three legs; each hangs on two or three bodies that are there
+//                  already, now and then on the cranks and the ground alone: a sub-chain
+//   gear           a wheel on a body that is there, meshing with another: a pair on the ground, a
+//                  planet on an arm
 //   idle           wheels, pairs of wheels and sliders on which nothing depends
 // q = 0 is a closure, isolated but for what idles.
 #pragma once
@@ -18,7 +21,8 @@ namespace moivre::test {
 
 struct Assembly {
   Mechanism mechanism;
-  /// Its first bodies, without what idles, gears replaced by drivers where the drivers determine the meshing: it has the same closures.
+  /// Its first bodies, without what idles, gears replaced by drivers where the drivers determine
+  /// the meshing: it has the same closures.
   Mechanism plain;
 };
 

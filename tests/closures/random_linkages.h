@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which mechanisms does nobody tune a program to? Random ones, planar and spatial, typed in the coordinates of one assembled pose.
+// Which mechanisms does nobody tune a program to? Random ones, planar and spatial, typed in the
+// coordinates of one assembled pose.
 //
-// Linkages are drawn until Phi_q is square and regular at q = 0, which is an isolated closure then, whatever else the linkage can do.
+// Linkages are drawn until Phi_q is square and regular at q = 0, which is an isolated closure then,
+// whatever else the linkage can do.
 #pragma once
 
 #include "linkage_sketch.h"
@@ -80,7 +82,8 @@ class LinkageDrawer : private LinkageSketch {
     add_drivers(sum);
   }
 
-  /// A tree of pins and slides from the ground, closed by joints until nothing is free but drivers; wheels now and then.
+  /// A tree of pins and slides from the ground, closed by joints until nothing is free but drivers;
+  /// wheels now and then.
   void add_planar() {
     const std::size_t moving = 2 + draw_.below(6);
     int free = 0;

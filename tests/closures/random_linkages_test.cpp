@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are the closures of linkages that nobody tuned the program to right? The bench random_linkages has them by the hundred.
+// Are the closures of linkages that nobody tuned the program to right? The bench random_linkages
+// has them by the hundred.
 #include <gtest/gtest.h>
 
 #include "linkage_judge.h"

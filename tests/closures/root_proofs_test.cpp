@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are roots of a triangular system proved block after block: that they are, that they are real, that an expression vanishes there?
+// Are roots of a triangular system proved block after block: that they are, that they are real,
+// that an expression vanishes there?
 #include "moivre/closures/root_proofs.h"
 
 #include <gtest/gtest.h>
@@ -142,7 +143,8 @@ TEST(CertifiedClosures, AMultipleOneHasNoCertificate) {
   EXPECT_EQ(result.completeness, RootCompleteness::shown);
 }
 
-/// A millionth of a degree beside the change point its closures lie so near to each other that their paths seem to meet.
+/// A millionth of a degree beside the change point its closures lie so near to each other that
+/// their paths seem to meet.
 TEST(CertifiedClosures, TwoBesideAChangePointAreNotTakenForADoubleOne) {
   for (const double angle : {1e-6, 2e-6, 3e-6}) {
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
@@ -161,7 +163,8 @@ TEST(CertifiedClosures, AreNotToldOfWhereEquationsAreSpare) {
   EXPECT_EQ(result.completeness, std::nullopt);
 }
 
-/// Roots with t = i are no poses, though rounded coefficients leave 1 + t^2 at 1e-15 there, and not at 0.
+/// Roots with t = i are no poses, though rounded coefficients leave 1 + t^2 at 1e-15 there, and not
+/// at 0.
 TEST(Arms, HaveNoClosureWhereAHalfAnglesTangentIsImaginary) {
   for (const double x : {0.089, 0.144, -0.232}) {
     Mechanism arm = mechanism_file("puma-560");
@@ -177,7 +180,8 @@ TEST(Arms, HaveNoClosureWhereAHalfAnglesTangentIsImaginary) {
   }
 }
 
-/// Beside the quadric where the quaternion has norm 0: in double the closures that are off by little pass for points of it.
+/// Beside the quadric where the quaternion has norm 0: in double the closures that are off by
+/// little pass for points of it.
 TEST(Platforms, OffByABillionthHaveAllFortyClosuresByProof) {
   for (const char* name : {"octahedral-3-3", "platform-6-3"}) {
     const Mechanism mechanism = disturbed(mechanism_file(name), 1e-9, 2);

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Sarrus's linkage with bars of one length: the top goes straight up and down, and may be folded onto the base.
+// Sarrus's linkage with bars of one length: the top goes straight up and down, and may be folded
+// onto the base.
 #pragma once
 
 #include <string>
 
 namespace moivre {
 
-/// Its first bar stands at 45 degrees in the file and is driven by `law`: lines of the [[driver]]. It is folded at 45, 135, 225 and
-/// 315 degrees.
+/// Its first bar stands at 45 degrees in the file and is driven by `law`: lines of the [[driver]].
+/// It is folded at 45, 135, 225 and 315 degrees.
 inline std::string sarrus_text(const std::string& law) {
   return R"toml(space = "spatial"
 [units]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are the forty poses of the general platform its poses, all of them, and does every platform take as many paths?
+// Are the forty poses of the general platform its poses, all of them, and does every platform take
+// as many paths?
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How many closures do the published spatial mechanisms have, by how few paths, and is the posture one came from among them?
+// How many closures do the published spatial mechanisms have, by how few paths, and is the posture
+// one came from among them?
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -176,7 +177,8 @@ bool is_not_turned(const VectorXd& q, std::size_t body) {
   return q.segment<3>(static_cast<Eigen::Index>(6 * (body - 1) + 3)).norm() < 1e-9;
 }
 
-// Its arms' ends and its rods' length give three spheres; the platform's place without turning is where they meet.
+// Its arms' ends and its rods' length give three spheres; the platform's place without turning is
+// where they meet.
 TEST(SpatialClosures, TwoPlacesOfADeltaPlatformAreNotTurned) {
   const Mechanism delta = mechanism_file("delta");
   const Mechanism reduced = mechanism_file("delta-reduced");
@@ -194,8 +196,8 @@ TEST(SpatialClosures, TwoPlacesOfADeltaPlatformAreNotTurned) {
   }
 }
 
-// A planar four-bar, three of its joints cylindrical: its links slide along the parallel axes. One part of it closes in complex numbers only,
-// but the pose as drawn is assembled.
+// A planar four-bar, three of its joints cylindrical: its links slide along the parallel axes. One
+// part of it closes in complex numbers only, but the pose as drawn is assembled.
 TEST(SpatialClosures, AMechanismThatIsAssembledAsDrawnIsNotSaidToBeImpossible) {
   const Mechanism mechanism = mechanism_text(R"toml(title = "Planar four-bar in space"
 space = "spatial"
@@ -246,7 +248,8 @@ velocity = 360
   EXPECT_LE(scaled_residual(Phi(mechanism), result.moves->pose, 0), 1e-12);
 }
 
-/// Two shafts, bent by 30 degrees, whose lines meet in the cross at the origin; the second one's bearing is at x, y.
+/// Two shafts, bent by 30 degrees, whose lines meet in the cross at the origin; the second one's
+/// bearing is at x, y.
 TEST(SpatialClosures, AreAsManyInEveryUnit) {
   for (const char* name : {"bennett", "rccc", "spherical-four-bar", "general-6r", "3-rps"}) {
     const Mechanism mechanism = mechanism_file(name);
@@ -303,7 +306,8 @@ TEST(SpatialClosures, AnArmWithoutAToolPoseMoves) {
   EXPECT_EQ(result.moves->dimension, 6U);
 }
 
-/// A chain of turns (R) and slides (P), each along another axis, whose last body is welded where the joints put it at these values.
+/// A chain of turns (R) and slides (P), each along another axis, whose last body is welded where
+/// the joints put it at these values.
 Mechanism held_chain(const std::string& kinds, const std::vector<double>& values) {
   const char* const axes[] = {"[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]", "[0.6, 0, 0.8]",
                               "[0, 0.6, 0.8]"};
@@ -369,7 +373,8 @@ TEST(SpatialClosures, SlidesDoNotTurnWhatTheyHold) {
   EXPECT_EQ(result.counts.complex, 0U);
 }
 
-// Its first and last axes are parallel, and every two neighbours meet or are parallel: no dyad's 3-space leaves Study's quadric.
+// Its first and last axes are parallel, and every two neighbours meet or are parallel: no dyad's
+// 3-space leaves Study's quadric.
 TEST(SpatialClosures, AnArmWithoutOffsetsHasEightWithItsToolStraightDown) {
   const std::array<std::array<Eigen::Vector3d, 2>, 6> joints{{{{{0, 0, 0}, {0, 0, 1}}},
                                                               {{{0, 0, 1}, {0, 1, 0}}},

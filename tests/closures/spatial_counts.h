@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How many closures has each spatial mechanism of problems/mechanisms, as it is typed and with every dimension a little off?
+// How many closures has each spatial mechanism of problems/mechanisms, as it is typed and with
+// every dimension a little off?
 //
-// Disturbed: every coordinate of every point, every axis in both bodies, every rod's length and every weld's turn, so that nothing
-// is parallel, meets, or is equal any more, but what goes through one named point of a body still does. Then an arm is a general one (16),
-// a platform a general one (40), double joints split, and what closes by its special dimensions alone closes no more.
+// Disturbed: every coordinate of every point, every axis in both bodies, every rod's length and
+// every weld's turn, so that nothing is parallel, meets, or is equal any more, but what goes
+// through one named point of a body still does. Then an arm is a general one (16), a platform a
+// general one (40), double joints split, and what closes by its special dimensions alone closes no
+// more.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -66,8 +69,8 @@ inline double largest_coordinate(const Mechanism& mechanism) {
   return largest > 0 ? largest : 1;
 }
 
-/// The mechanism with its lengths off by up to `share` of its size, its axes and turns by up to `share` radians. Axes that are typed
-/// alike in both bodies stay alike: angles count from them.
+/// The mechanism with its lengths off by up to `share` of its size, its axes and turns by up to
+/// `share` radians. Axes that are typed alike in both bodies stay alike: angles count from them.
 inline Mechanism disturbed(Mechanism mechanism, double share, std::uint64_t seed = 1) {
   std::uint64_t count = 0;
   const double size = largest_coordinate(mechanism);
@@ -92,8 +95,8 @@ inline Mechanism disturbed(Mechanism mechanism, double share, std::uint64_t seed
   return mechanism;
 }
 
-/// The same mechanism with the frames of all bodies turned alike at random, so that every number is a rounded one. Not for
-/// drivers of angles, which count from other zeros then.
+/// The same mechanism with the frames of all bodies turned alike at random, so that every number is
+/// a rounded one. Not for drivers of angles, which count from other zeros then.
 inline Mechanism turned(Mechanism mechanism, std::uint64_t seed = 1) {
   const auto number = [&](std::uint64_t k) {
     return 2 * random_unit(seed, RandomStream::test, k) - 1;

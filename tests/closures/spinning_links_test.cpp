@@ -29,7 +29,8 @@ TEST(SpinningLinks, ALinkThatSpinsBetweenBallsHidesNoClosure) {
   EXPECT_NEAR(std::max(output(0), output(1)), 91.57541939668447, 1e-9);
 }
 
-/// A MacPherson strut: the wheel's knuckle on a driven arm and a tie rod, and a line of it through the top mount.
+/// A MacPherson strut: the wheel's knuckle on a driven arm and a tie rod, and a line of it through
+/// the top mount.
 std::string macpherson(const std::string& strut) {
   return R"toml(space = "spatial"
 [units]
@@ -63,7 +64,8 @@ start = 0.05
 )toml" + strut;
 }
 
-// The knuckle turns about two balls, of which the upper one is at either of two places on its line; the tie rod leaves two poses of each.
+// The knuckle turns about two balls, of which the upper one is at either of two places on its line;
+// the tie rod leaves two poses of each.
 TEST(SpinningLinks, AStrutHasTheSameWhetherItsRodIsABodyThatSpinsOrALine) {
   const std::string line = R"toml([[joint]]
 type = "point-on-line"
@@ -100,7 +102,8 @@ name = "damper"
   }
 }
 
-// A knuckle whose tie rod is a body: that is one distance, and the knuckle is no three distances then.
+// A knuckle whose tie rod is a body: that is one distance, and the knuckle is no three distances
+// then.
 TEST(SpinningLinks, ALinkOfThreeBallsWithARodOnOneOfThemHasItsClosures) {
   const std::string text = R"toml(space = "spatial"
 [ground.points]

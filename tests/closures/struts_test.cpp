@@ -13,7 +13,8 @@
 namespace moivre {
 namespace {
 
-/// A platform on legs 1 to 6 from base to top, drawn as it is assembled; as a rod each leg has the length that is drawn.
+/// A platform on legs 1 to 6 from base to top, drawn as it is assembled; as a rod each leg has the
+/// length that is drawn.
 std::string on_legs(const std::string& first_leg) {
   return R"toml(space = "spatial"
 [ground.points]
@@ -61,7 +62,8 @@ at = ["ground.A1", "platform.B1"]
 length = 2.12367605815953
 )toml";
 
-/// The same leg as a body with a cross at its foot, whose second axis is not across it, and a ball at its head.
+/// The same leg as a body with a cross at its foot, whose second axis is not across it, and a ball
+/// at its head.
 const char* const kStrut = R"toml([body.leg.points]
 A1 = [2, 0.3, 0.1]
 B1 = [1.1, 0.6, 2.0]
@@ -139,7 +141,8 @@ TEST(Struts, OfTheSnuPlatformStandEightWaysInItsSeventyEightPoses) {
   }
 }
 
-// Where a leg lies along its cross's first axis, its place says nothing of that axis's turn: the other cross does.
+// Where a leg lies along its cross's first axis, its place says nothing of that axis's turn: the
+// other cross does.
 TEST(Struts, AlongTheirFirstAxisStandByTheirOtherCross) {
   const std::string bodies = R"toml(space = "spatial"
 [ground.points]
@@ -184,7 +187,8 @@ axis = [[0, 1, 0], [1, 0, 0.4]]
   }
 }
 
-// What a ball's fourth equation says follows from the other three on Study's quadric. It must not stand for the rod's.
+// What a ball's fourth equation says follows from the other three on Study's quadric. It must not
+// stand for the rod's.
 TEST(Struts, ARodTypedLastHidesNoClosure) {
   const std::string bodies = R"toml(space = "spatial"
 [ground.points]

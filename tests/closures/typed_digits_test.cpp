@@ -41,7 +41,8 @@ ClosureResult closures_in_lanes(const Mechanism& mechanism) {
   return find_closures(mechanism, *make_lane_tracker());
 }
 
-// With more digits than rounding leaves it is taken for the symmetric one: closures of the numbers as typed are not proved to be all.
+// With more digits than rounding leaves it is taken for the symmetric one: closures of the numbers
+// as typed are not proved to be all.
 TEST(Platforms, ThatAreSymmetricButForRoundingHaveNoProofThatClosuresAreAll) {
   const ClosureResult rough = closures_in_lanes(platform_of_circles(6));
   EXPECT_EQ(rough.counts.complex, 40U);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are kinematic coefficients the derivatives by the drivers, and advantages what the textbooks have?
+// Are kinematic coefficients the derivatives by the drivers, and advantages what the textbooks
+// have?
 #include "moivre/kinematics/coefficients.h"
 
 #include "followed.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do the tests of a designer's quantities ask? A mechanism's motion from its guess, and a quantity of it by name.
+// What do the tests of a designer's quantities ask? A mechanism's motion from its guess, and a
+// quantity of it by name.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -56,7 +57,8 @@ inline Followed followed(const Mechanism& mechanism, const QuantityChoice& choic
 
 inline QuantityChoice groups(std::vector<QuantityGroup> wanted) { return {std::move(wanted), {}}; }
 
-/// Crank, coupler and rocker on pivots `ground` apart, the crank turning by a degree a second from `start` degrees.
+/// Crank, coupler and rocker on pivots `ground` apart, the crank turning by a degree a second from
+/// `start` degrees.
 inline std::string four_bar_text(double crank, double coupler, double rocker, double ground,
                                  const std::string& start = "30",
                                  const std::string& velocity = "1") {

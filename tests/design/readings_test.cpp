@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are extremes those of the motion and not of its samples, and quick returns those of the drawing board?
+// Are extremes those of the motion and not of its samples, and quick returns those of the drawing
+// board?
 #include "followed.h"
 
 namespace moivre::test {
@@ -52,7 +53,8 @@ TEST(TimeRatio, OfWhitworthsDriveIsThatOfItsTangents) {
   EXPECT_NEAR(ratios[0].ratio, (2 * kPi - quick) / quick, 1e-6);
 }
 
-// The rocker's hinge goes from 114 to 180.3 degrees, over half a turn, where its angle is told as -179.7.
+// The rocker's hinge goes from 114 to 180.3 degrees, over half a turn, where its angle is told as
+// -179.7.
 TEST(TimeRatio, OfAHingeGoesOnOverHalfATurn) {
   const Mechanism rssr = typed(R"toml(space = "spatial"
 [units]
@@ -152,7 +154,8 @@ TEST(Extremes, OfTheRockersSwingAreItsToggles) {
               2 * kPi, 1e-9);
 }
 
-/// s = 2 cos phi + sqrt(25 - 4 sin^2 phi) of a slider-crank; its acceleration at the limit s = 5, where phi' = 1 degree a second.
+/// s = 2 cos phi + sqrt(25 - 4 sin^2 phi) of a slider-crank; its acceleration at the limit s = 5,
+/// where phi' = 1 degree a second.
 TEST(Extremes, BesideALimitDoNotHangOnTheSamples) {
   std::string text = slider_crank_text(2, 5, 0);
   const std::string name = "name = \"guide\"\n";

@@ -59,8 +59,9 @@ double difference(const SensitiveQuantity& quantity, double ahead, double behind
   return is_angle ? std::remainder(ahead - behind, 2 * kPi) : ahead - behind;
 }
 
-/// A step in a dimension: differences are right to its square, and to rounding over it. Where rates are large, near a dead
-/// point, they change as fast as the pose does, and the step is as much smaller.
+/// A step in a dimension: differences are right to its square, and to rounding over it. Where rates
+/// are large, near a dead point, they change as fast as the pose does, and the step is as much
+/// smaller.
 double step_of(const Mechanism& mechanism, const Dimension& dimension, double largest_rate) {
   constexpr double kStep = 2e-5;
   const double length = Phi(mechanism).length();
@@ -85,8 +86,9 @@ Mechanism changed(const Mechanism& mechanism, const Dimension& dimension, double
 // Of the closures that are compared by solving afresh: those of one mechanism share its formulas.
 constexpr std::size_t kCompared = 2;
 
-/// Every rate of some closures against Newton-Raphson from the closure, the dimension a step up and down; where the dimension
-/// cannot change alone, that it does not converge. Tells how many were compared.
+/// Every rate of some closures against Newton-Raphson from the closure, the dimension a step up and
+/// down; where the dimension cannot change alone, that it does not converge. Tells how many were
+/// compared.
 std::size_t expect_differences(const Mechanism& mechanism, const std::string& name,
                                double time = 0) {
   const ClosureResult result = closures_of(mechanism, 1, time);
@@ -388,7 +390,8 @@ TEST(Sensitivity, OfAMechanismWithSpareConstraintsSaysWhatCannotChangeAlone) {
   const Sensitivities told = closure_sensitivities(m, closures_of(m));
   EXPECT_GT(expect_differences(m, "double-parallel-crank"), 20U);
   ASSERT_FALSE(told.closures.empty());
-  // The lengths of the cranks by their ends, along them and aside; the driver may go where it likes.
+  // The lengths of the cranks by their ends, along them and aside; the driver may go where it
+  // likes.
   const auto& breaking = told.closures[0].breaking;
   const auto can_change = [&](const char* name) {
     return std::count(breaking.begin(), breaking.end(), dimension_number(told, name)) == 0;
@@ -471,7 +474,8 @@ TEST(Sensitivity, OfAUniversalJointIsTheDerivativeOfItsFormula) {
   const Sensitivities told = closure_sensitivities(m, closures_of(m));
   ASSERT_FALSE(told.closures.empty());
   const double c = std::cos(bend), s = std::sin(bend);
-  // d out / d in = cos(bend) / (1 - sin^2(bend) cos^2(in')), in' counted from where the fork lies in the plane of both shafts.
+  // d out / d in = cos(bend) / (1 - sin^2(bend) cos^2(in')), in' counted from where the fork lies
+  // in the plane of both shafts.
   const double slope = std::abs(rate(told, 0, "outlet", "inlet"));
   const double by_cos = c / (1 - s * s * std::cos(in) * std::cos(in));
   const double by_sin = c / (1 - s * s * std::sin(in) * std::sin(in));

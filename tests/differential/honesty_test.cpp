@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is the reported accuracy true, and not far from the truth? Roots of both trackers against the same roots to fifty digits.
+// Is the reported accuracy true, and not far from the truth? Roots of both trackers against the
+// same roots to fifty digits.
 #include <gtest/gtest.h>
 
 #include "moivre/multiprecision/reference_roots.h"
@@ -13,7 +14,8 @@ constexpr int kDigits = 50;
 constexpr double kUnitRoundoff = 0x1p-53;
 constexpr double kLargestMedian = 100;
 
-/// Adds reported / true error of each regular root; the true one no less than the rounding of a double.
+/// Adds reported / true error of each regular root; the true one no less than the rounding of a
+/// double.
 void compare(const System& f, const SolveResult& result, std::vector<double>& ratios) {
   std::vector<Point> roots;
   std::vector<double> reported;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do lanes in double-double find what double cannot tell, and the same whatever the number of threads?
+// Do lanes in double-double find what double cannot tell, and the same whatever the number of
+// threads?
 #include <gtest/gtest.h>
 
 #include "moivre/certify/certifier.h"

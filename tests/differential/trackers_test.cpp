@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do the lane tracker and the CVODE tracker find the same roots on the same paths, and lanes the index's counts?
+// Do the lane tracker and the CVODE tracker find the same roots on the same paths, and lanes the
+// index's counts?
 #include <gtest/gtest.h>
 
 #include "moivre/solver/cross_check.h"

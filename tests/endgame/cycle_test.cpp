@@ -43,7 +43,8 @@ TEST(Cycle, SheetsOfAPowerSeriesWithoutAConstantTermVanishTogether) {
   }
 }
 
-// The circle is wide beside their distance: the sum of squares is lost in the errors that samples may have, not in those they have.
+// The circle is wide beside their distance: the sum of squares is lost in the errors that samples
+// may have, not in those they have.
 TEST(Cycle, SheetsThatEndBesideEachOtherAreToldApartByTheErrorsThatTheSamplesHave) {
   const EndParameters ends;
   const auto beside = two_sheets(1e-7);
@@ -62,7 +63,8 @@ TEST(Cycle, ALimitThatIsNotZeroIsSeenWhereverTheOthersEnd) {
   }
 }
 
-/// Samples of m sheets that end at 0 or, the first power sum being `limit`, beside it; each off by up to `error` of itself.
+/// Samples of m sheets that end at 0 or, the first power sum being `limit`, beside it; each off by
+/// up to `error` of itself.
 std::vector<Complex> blurred_cycle(int m, const Complex& limit, double error, std::uint64_t seed) {
   std::vector<Complex> z = cycle_of(m, [&](Complex u) { return u + limit; });
   for (std::size_t k = 0; k < z.size(); ++k) {
@@ -112,7 +114,8 @@ TEST(Cycle, SheetsMeetWhereNothingButRoundingKeepsThemApart) {
   }
 }
 
-// They change places on every circle wider than limit^2: the mean is 0, and no sum but the second tells.
+// They change places on every circle wider than limit^2: the mean is 0, and no sum but the second
+// tells.
 TEST(Cycle, OppositeLimitsWhoseMeanIsZeroAreTold) {
   for (const double limit : {5e-3, 1e-3, 1e-5, 3e-7}) {
     EXPECT_FALSE(vanish_together(two_sheets(limit), 2, EndParameters())) << limit;

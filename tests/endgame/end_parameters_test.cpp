@@ -13,7 +13,8 @@ namespace {
 
 const std::filesystem::path kFolder = MOIVRE_SOURCE_DIR "/src/endgame";
 
-/// 1e-10, 0.3: what is written with a point or an exponent, but for 0, 1 and 2, which measure nothing.
+/// 1e-10, 0.3: what is written with a point or an exponent, but for 0, 1 and 2, which measure
+/// nothing.
 std::vector<std::string> measures_in(const std::string& line) {
   static const std::regex number(R"((?:^|[^\w.])(\d+\.\d*(?:e[-+]?\d+)?|\d+e[-+]?\d+))");
   const std::string code = line.substr(0, line.find("//"));

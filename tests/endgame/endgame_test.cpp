@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does each tiny problem get the verdict that is known for it: regular, winding number, infinity, or the reason of a failure?
+// Does each tiny problem get the verdict that is known for it: regular, winding number, infinity,
+// or the reason of a failure?
 #include "moivre/endgame/endgame.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,8 @@ constexpr std::uint64_t kSeeds = 4;
 constexpr double kRegularAccuracy = 1e-12;
 constexpr double kSingularAccuracy = 1e-6;
 
-/// |1 - t| of the first of the circles that are made up. A ripple of this order is the highest that the samples resolve.
+/// |1 - t| of the first of the circles that are made up. A ripple of this order is the highest that
+/// the samples resolve.
 constexpr double kOutpost = 1e-5;
 constexpr double kRippleOrder = 7;
 
@@ -88,7 +90,8 @@ class Paths {
     return endgame.end();
   }
 
-  /// Circles of one turn about (shift : 1 : x_0), the shift another for each radius, whose samples have a ripple.
+  /// Circles of one turn about (shift : 1 : x_0), the shift another for each radius, whose samples
+  /// have a ripple.
   PathEnd end_of_circles(double x0, const std::vector<double>& shifts, double ripple) const {
     PathSystem scratch(homotopy_);
     Endgame endgame({}, homotopy_.chart(), 0, 0);
@@ -262,7 +265,8 @@ TEST(Endgame, SingularEndsAtInfinityAreAtInfinity) {
   });
 }
 
-// Four paths go towards z = infinity like (1 - t)^(-1/4) until z is as large as the root at -3060, where two of them turn.
+// Four paths go towards z = infinity like (1 - t)^(-1/4) until z is as large as the root at -3060,
+// where two of them turn.
 TEST(Endgame, FiniteRootsBesideASingularPointAtInfinityAreNotAtInfinity) {
   const std::string cubics =
       "3\n (3*y*z + 5*z - 4)^2;\n x*y + 2*x + 9;\n"
@@ -288,7 +292,8 @@ TEST(Endgame, TwoNearRootsAreTwoRegularEnds) {
 }
 
 TEST(Endgame, RootsNearerThanAnyCircleTellsAreNeverOneDoubleRoot) {
-  // Their branch point is 1e-12 from t = 1: a circle closes after two turns, as round a double root.
+  // Their branch point is 1e-12 from t = 1: a circle closes after two turns, as round a double
+  // root.
   constexpr double kHalfGap = 1e-6;
   for_seeds("2\n x^2 - 2*x + 1 - 1e-12;\n y - x;\n", [](const Paths& paths) {
     const auto all = paths.follow_all();

@@ -16,7 +16,8 @@ constexpr std::size_t kOfTurn = 16;
 constexpr double kNumber = 1.234567891;
 constexpr double kHalfUnit = 5e-10;
 
-// z^2 = p = 1.234567891 t + (1 - t), (x_1, x_0) = (z, 1) / (a_1 z + a_0):  dx_0 = -x_0^2 a_1 t dp / (2 z).
+// z^2 = p = 1.234567891 t + (1 - t), (x_1, x_0) = (z, 1) / (a_1 z + a_0):  dx_0 = -x_0^2 a_1 t dp /
+// (2 z).
 TEST(FileErrors, ChangeTheSamplesAsTheDerivativeSays) {
   const System f = read_system({"test", "1\n x^2 - 1.234567891;\n"});
   Homotopy homotopy(f, read_system({"test", "1\n x^2 - 1;\n"}));

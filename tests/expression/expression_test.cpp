@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is the tree the one that the text means, with exact numbers, and does the first fault say where and what?
+// Is the tree the one that the text means, with exact numbers, and does the first fault say where
+// and what?
 #include "moivre/expression/expression.h"
 
 #include <gtest/gtest.h>

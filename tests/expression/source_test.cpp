@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are files read whole or refused with a reason, and does a message show the line with a caret under the fault?
+// Are files read whole or refused with a reason, and does a message show the line with a caret
+// under the fault?
 #include "moivre/expression/source.h"
 
 #include <gtest/gtest.h>

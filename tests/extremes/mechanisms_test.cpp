@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do extreme mechanisms have their closures: tiny, huge and mixed links, change points, none at all, too many?
+// Do extreme mechanisms have their closures: tiny, huge and mixed links, change points, none at
+// all, too many?
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -121,7 +122,8 @@ TEST(ExtremeMotions, StopOrBranchWhereTheDriverCannotGoOn) {
   }
 }
 
-// Crank 3, coupler and rocker 2 each, base 4: stretched where the crank's pin is 4 away from the rocker's, at acos(3/8).
+// Crank 3, coupler and rocker 2 each, base 4: stretched where the crank's pin is 4 away from the
+// rocker's, at acos(3/8).
 TEST(ExtremeMotions, ADeadPointIsWhereTheCosineLawPutsIt) {
   const Mechanism mechanism = read_mechanism(read_source(kFolder + "dead-point.toml"));
   MotionOptions options;

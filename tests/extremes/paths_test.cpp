@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Are paths followed that pass close by a singular point, and one that goes to 1e12 and comes back? Both known in closed form.
+// Are paths followed that pass close by a singular point, and one that goes to 1e12 and comes back?
+// Both known in closed form.
 //
-//   near:    H = x^2 + (t - 1/2) + i e    x(t) = +-sqrt(1/2 - t - i e); singular at t = 1/2 - i e, x = 0
+//   near:    H = x^2 + (t - 1/2) + i e    x(t) = +-sqrt(1/2 - t - i e); singular at t = 1/2 - i e,
+//                                         x = 0
 //   growth:  H = (t - 1/2 + i e) x - 1    x(t) = 1 / (t - 1/2 + i e), of size 1/e at t = 1/2
 #include <gtest/gtest.h>
 
@@ -68,7 +70,8 @@ TEST(NearSingularPath, IsFollowedInLanes) {
   for (const std::string& e : kDistances) expect_followed(*tracker, e);
 }
 
-/// Without projection an integrator may come to the other root, or fail, but to no point that is no root.
+/// Without projection an integrator may come to the other root, or fail, but to no point that is no
+/// root.
 TEST(NearSingularPath, EndsAtARootOrFailsWithoutProjection) {
   for (const CvodeMethod method : {CvodeMethod::bdf, CvodeMethod::adams}) {
     for (const CvodeIteration iteration : {CvodeIteration::fixed_point, CvodeIteration::newton}) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Does each extreme system give the right answer with both trackers, or an honest failure? Multiprecision is the judge.
+// Does each extreme system give the right answer with both trackers, or an honest failure?
+// Multiprecision is the judge.
 //
-// Whatever the case: the account is closed, every root called simple is one by Smale's alpha test, no two are the same, and
-// none is further from the truth than its accuracy says; a root called singular is where the index has one.
+// Whatever the case: the account is closed, every root called simple is one by Smale's alpha test,
+// no two are the same, and none is further from the truth than its accuracy says; a root called
+// singular is where the index has one.
 #include <gtest/gtest.h>
 
 #include "moivre/certify/certifier.h"
@@ -172,7 +174,8 @@ TEST_P(Extreme, IsAnsweredRightlyOrHonestly) {
   }
 }
 
-/// Cyclic n-roots: sums of the products of k neighbours on a circle of n unknowns, and the product of all of them less 1.
+/// Cyclic n-roots: sums of the products of k neighbours on a circle of n unknowns, and the product
+/// of all of them less 1.
 System cyclic(int n) {
   std::string text = std::to_string(n) + "\n";
   for (int k = 1; k <= n; ++k) {
@@ -185,8 +188,9 @@ System cyclic(int n) {
   return test::read(text);
 }
 
-// 40320 paths, the most of them to curves and to infinity; whoever stops them has an account of what was finished. Ends that wait for a
-// proof are no part of it. CVODE takes twenty times as long for a path.
+// 40320 paths, the most of them to curves and to infinity; whoever stops them has an account of
+// what was finished. Ends that wait for a proof are no part of it. CVODE takes twenty times as long
+// for a path.
 TEST(CyclicEight, InterruptedItTellsNoRootThatIsNone) {
   const System f = cyclic(8);
   const auto cvode = make_cvode_tracker();
@@ -209,7 +213,8 @@ TEST(CyclicEight, InterruptedItTellsNoRootThatIsNone) {
   }
 }
 
-/// The discretized H-equation: 2 n H_i - c H_i (1 + sum_j i/(i+j) H_j) - 2 n, j = 1..n-1 [Chandrasekhar60].
+/// The discretized H-equation: 2 n H_i - c H_i (1 + sum_j i/(i+j) H_j) - 2 n, j = 1..n-1
+/// [Chandrasekhar60].
 System chandra(int n) {
   std::string text = std::to_string(n) + "\n";
   for (int i = 1; i <= n; ++i) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does elimination in double-double solve what double cannot, and say when there is nothing to solve?
+// Does elimination in double-double solve what double cannot, and say when there is nothing to
+// solve?
 #include "moivre/factorization/dense_lu.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does LU solve what Eigen solves, whatever the rows are multiplied by, and does it know how singular a matrix is?
+// Does LU solve what Eigen solves, whatever the rows are multiplied by, and does it know how
+// singular a matrix is?
 #include "moivre/factorization/lu.h"
 
 #include <gtest/gtest.h>
@@ -81,7 +82,8 @@ Matrix row_scaled(Matrix a) {
   return a;
 }
 
-/// Within a factor of 3 below, as [Higham88] finds; above by the root of two that |re| + |im| may add to a norm.
+/// Within a factor of 3 below, as [Higham88] finds; above by the root of two that |re| + |im| may
+/// add to a norm.
 void expect_estimates(double estimate, double condition) {
   EXPECT_LE(estimate, std::sqrt(2.0) * condition * (1 + 1e3 * kEpsilon * condition));
   EXPECT_GE(estimate * (1 + 1e3 * kEpsilon * condition), condition / 3);
@@ -160,7 +162,8 @@ TEST(Lu, WeightsGuideThePivotsAndLeaveTheSolution) {
 }
 
 TEST(Lu, WeightsKeepARowThatMattersToASmallUnknown) {
-  // Row 0 is large only in front of the small unknown: without weights it is scaled down to lose the pivot.
+  // Row 0 is large only in front of the small unknown: without weights it is scaled down to lose
+  // the pivot.
   const Matrix a = (Matrix(2, 2) << 1, 1e20, 1, 1).finished();
   const std::vector<double> weights{1, 1e-20};
   const Vector exact = (Vector(2) << 1, 1e-20).finished();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// QR factorizations: least squares, shortest solutions and ranks of matrices that were made to have them.
+// QR factorizations: least squares, shortest solutions and ranks of matrices that were made to have
+// them.
 #include "moivre/factorization/qr.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which families do several tests solve? Two circles, a four-bar, and members with random parameters.
+// Which families do several tests solve? Two circles, a four-bar, and members with random
+// parameters.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +18,9 @@ inline Family conics() {
       {{"a"}, {"b"}, {"c"}});
 }
 
-/// r e^{i q} = d + l u - m v around the loop, and its conjugate; u = e^{i..}, v unknown: two roots. The coupler's and the
-/// rocker's directions of a four-bar whose crank stands at `w`, its conjugate W.
+/// r e^{i q} = d + l u - m v around the loop, and its conjugate; u = e^{i..}, v unknown: two roots.
+/// The coupler's and the rocker's directions of a four-bar whose crank stands at `w`, its conjugate
+/// W.
 inline Family four_bar() {
   return unlearned_family(
       read_system({"test", "2 8\nr*w + l*u - m*v - d; r*W*u*v + l*v - m*u - d*u*v;\n"}),

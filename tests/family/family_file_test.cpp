@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A family file gives the family back to the last bit; whatever else is in a file is refused, and crashes nothing.
+// A family file gives the family back to the last bit; whatever else is in a file is refused, and
+// crashes nothing.
 #include "moivre/family/family_file.h"
 
 #include <gtest/gtest.h>

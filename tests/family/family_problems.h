@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which families of kinematics are measured and tested? With their published numbers of roots, and random members.
+// Which families of kinematics are measured and tested? With their published numbers of roots, and
+// random members.
 #pragma once
 
 #include <cmath>
@@ -42,7 +43,8 @@ inline FamilyProblem four_bar_problem() {
           }};
 }
 
-/// Jansen's leg: three dyads, the third on the first two; v and e are directions of the triangle and of the lower rocker.
+/// Jansen's leg: three dyads, the third on the first two; v and e are directions of the triangle
+/// and of the lower rocker.
 ///   r w + j a = p + b v,  r w + k c = p + l e,  d v + f g = l e + m h,  and their conjugates
 inline FamilyProblem jansen_problem() {
   const std::vector<std::string> names{"r", "j", "b", "k", "l", "f", "m",
@@ -72,8 +74,10 @@ inline FamilyProblem jansen_problem() {
           }};
 }
 
-/// Three loops of a seven-link Assur structure, each with one link that is in no other loop: its direction is eliminated,
-///   (a_0 + a_j t_j + a_k t_k) (A_0 + A_j / t_j + A_k / t_k) = l^2;  a and A, a coefficient and its conjugate, are two parameters.
+/// Three loops of a seven-link Assur structure, each with one link that is in no other loop: its
+/// direction is eliminated,
+///   (a_0 + a_j t_j + a_k t_k) (A_0 + A_j / t_j + A_k / t_k) = l^2;  a and A, a coefficient and its
+///   conjugate, are two parameters.
 /// `shared`: the directions in each loop.
 inline FamilyProblem seven_link_problem(std::size_t roots,
                                         const std::vector<std::vector<int>>& shared) {
@@ -121,7 +125,8 @@ inline FamilyProblem seven_link_problem(std::size_t roots,
           }};
 }
 
-/// z_2 to z_5: unit axes, z_1 = e_z; twists and offsets of one arm; parameters: the last axis Z and the way P to it.
+/// z_2 to z_5: unit axes, z_1 = e_z; twists and offsets of one arm; parameters: the last axis Z and
+/// the way P to it.
 inline FamilyProblem six_r_problem() {
   const std::string text =
       "11 17\n"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A family once learned gives every member the roots that a direct solve finds, special members too.
+// A family once learned gives every member the roots that a direct solve finds, special members
+// too.
 #include <gtest/gtest.h>
 
 #include "families.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which families do loops learn that no start system fits? Conics that touch conics, a nine-link, the families of problems/families.
+// Which families do loops learn that no start system fits? Conics that touch conics, a nine-link,
+// the families of problems/families.
 #pragma once
 
 #include <string>
@@ -19,7 +20,8 @@ inline Family declared_family(const std::string& file) {
   return unlearned_family(read.system, parameters);
 }
 
-/// Conics a x^2 + b xy + c y^2 + d x + e y + 1 that touch `conics` conics, at (x1, y1), ..., and pass through 5 - conics points:
+/// Conics a x^2 + b xy + c y^2 + d x + e y + 1 that touch `conics` conics, at (x1, y1), ..., and
+/// pass through 5 - conics points:
 /// 1, 6, 36, 184, 816, 3264 for 0 to 5 conics.
 inline Family conics_that_touch(int conics) {
   std::vector<NamedParameter> parameters;
@@ -49,8 +51,10 @@ inline Family conics_that_touch(int conics) {
   return unlearned_family(read_system({"conics", head + "\n" + equations}), parameters);
 }
 
-/// Four ternary links in a ring on four bars, in isotropic coordinates (problems/polynomials/nine-link-56.phc): the Assur structure 4/4.
-/// r_j: bars; a_j, b_j, c_j and, conjugate, A_j, B_j, C_j: sides of links, ground. The loops' constants add up to 0.
+/// Four ternary links in a ring on four bars, in isotropic coordinates
+/// (problems/polynomials/nine-link-56.phc): the Assur structure 4/4.
+/// r_j: bars; a_j, b_j, c_j and, conjugate, A_j, B_j, C_j: sides of links, ground. The loops'
+/// constants add up to 0.
 inline Family nine_link() {
   std::vector<NamedParameter> parameters{{"r1"}, {"r2"}, {"r3"}, {"r4"}};
   std::string equations;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Thousands of members at once: the generic count every time, the roots of direct solves, the same on every number of threads.
+// Thousands of members at once: the generic count every time, the roots of direct solves, the same
+// on every number of threads.
 #include "moivre/family/members.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From one root to all: published counts by loops, and the trace test true with all roots, false without one.
+// From one root to all: published counts by loops, and the trace test true with all roots, false
+// without one.
 #include "moivre/family/monodromy.h"
 
 #include <gtest/gtest.h>
@@ -84,7 +85,8 @@ TEST(Monodromy, FindsTheSameOnSeveralThreads) {
   EXPECT_EQ(learn_by_monodromy(unlearned, *pair, *lanes, options), alone);
 }
 
-/// Two circles in turn on a third one: two pairs of roots that no loop joins, and fewer than any bound allows.
+/// Two circles in turn on a third one: two pairs of roots that no loop joins, and fewer than any
+/// bound allows.
 TEST(Monodromy, TellsThatAFamilyIsReducible) {
   const auto lanes = make_lane_tracker();
   const Family unlearned = unlearned_family(
@@ -111,7 +113,8 @@ TEST(Monodromy, TellsThatAFamilyIsReducible) {
   }
 }
 
-/// The other component, or a third root of the same, is so many times as far away; beside a curve no bound tells.
+/// The other component, or a third root of the same, is so many times as far away; beside a curve
+/// no bound tells.
 TEST(Monodromy, FindsFarRootsOrIsNotComplete) {
   const auto lanes = make_lane_tracker();
   const struct {
@@ -221,7 +224,8 @@ TEST(Monodromy, AgreesWithDirectSolvesOnKinematics) {
   }
 }
 
-/// One of the linkages published for the points of nine-point.csv: x, a, y, b. Their conjugates and the coupler's turns follow.
+/// One of the linkages published for the points of nine-point.csv: x, a, y, b. Their conjugates and
+/// the coupler's turns follow.
 TEST(Monodromy, TheNinePointSystemHoldsAPublishedLinkage) {
   const Family family = declared_family("nine-point.bertini");
   const std::vector<Point> members =

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is the mirror image of a root a root, exactly? Proofs that a closure is real rest on it (moivre/closures/root_proofs.h).
+// Is the mirror image of a root a root, exactly? Proofs that a closure is real rest on it
+// (moivre/closures/root_proofs.h).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,7 +53,8 @@ std::vector<std::string> example_names() {
   return names;
 }
 
-/// The planar and spatial mechanisms of problems/mechanisms at the time of the file and at times where no angle is a whole quarter.
+/// The planar and spatial mechanisms of problems/mechanisms at the time of the file and at times
+/// where no angle is a whole quarter.
 TEST(Mirror, MapsTheClosurePolynomialsOfEveryMechanismToThemselves) {
   for (const std::string& name : example_names()) {
     const Mechanism mechanism = test::example(name);

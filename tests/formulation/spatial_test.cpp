@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do the spatial closure polynomials and Phi vanish at the same poses, and which unknowns does each mechanism get?
+// Do the spatial closure polynomials and Phi vanish at the same poses, and which unknowns does each
+// mechanism get?
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -47,7 +48,8 @@ TEST(ExactPose, AQuarterTurnIsOneExactly) {
   EXPECT_EQ(frame_of({0, 0, 1}).q[1], Rational(0));
 }
 
-// The rod's row of Phi is |d|^2 - L^2, its polynomial that times |q|^2, which is (1 + o^2) (1 + t^2).
+// The rod's row of Phi is |d|^2 - L^2, its polynomial that times |q|^2, which is (1 + o^2) (1 +
+// t^2).
 TEST(SpatialFormulation, TheRodOfAnRssrIsPhisRowTimesTheNorm) {
   const Mechanism mechanism = test::example("rssr");
   const Phi phi(mechanism);

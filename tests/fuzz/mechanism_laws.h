@@ -17,7 +17,8 @@ namespace moivre {
 /// The dense Jacobian of a larger mechanism would slow the search for faults and find none more.
 inline constexpr Eigen::Index kMaximumCoordinates = 60;
 
-/// The law that a mechanism breaks, if any. Values may be NaN (a root of a negative number), sizes may not differ.
+/// The law that a mechanism breaks, if any. Values may be NaN (a root of a negative number), sizes
+/// may not differ.
 inline std::optional<std::string> broken_phi_law(const Mechanism& mechanism) {
   const Phi phi(mechanism);
   if (phi.dimension() > kMaximumCoordinates) return std::nullopt;

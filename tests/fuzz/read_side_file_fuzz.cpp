@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does any text break the laws of the reader of side files, which close a robot's loops? A libFuzzer target.
+// Does any text break the laws of the reader of side files, which close a robot's loops? A
+// libFuzzer target.
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>

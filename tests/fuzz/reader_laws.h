@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What must hold for any bytes that a reader is given: a system that round-trips, or a ParseError with faults in the text.
+// What must hold for any bytes that a reader is given: a system that round-trips, or a ParseError
+// with faults in the text.
 //
 // Shared by the fuzz targets and by the test that replays their corpora.
 #pragma once

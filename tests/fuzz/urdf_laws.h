@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What must hold for any bytes that the URDF reader is given, or that are a robot's side file? A robot that is a tree and a mechanism,
-// or faults in the text.
+// What must hold for any bytes that the URDF reader is given, or that are a robot's side file? A
+// robot that is a tree and a mechanism, or faults in the text.
 //
 // Shared by the fuzz target and by the test that changes bytes at random.
 #pragma once

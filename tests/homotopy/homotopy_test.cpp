@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is H = t F + (1 - t) G at complex t, with derivatives that are limits of differences, in both scalars?
+// Is H = t F + (1 - t) G at complex t, with derivatives that are limits of differences, in both
+// scalars?
 #include <gtest/gtest.h>
 
 #include <stdexcept>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a branch go where closed forms say, with their velocities and accelerations, and end where they say?
+// Does a branch go where closed forms say, with their velocities and accelerations, and end where
+// they say?
 #include "moivre/kinematics/branch.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +39,8 @@ Branch followed(const Mechanism& mechanism, double from, double to, int steps) {
   return follow_branch(mechanism, assembled(mechanism, from), even_times(from, to, steps));
 }
 
-/// A four-bar in metres with its crank driven from `start_deg` by 60 deg/s; the guess places coupler and rocker.
+/// A four-bar in metres with its crank driven from `start_deg` by 60 deg/s; the guess places
+/// coupler and rocker.
 Mechanism four_bar(double ground, double crank, double coupler, double rocker, double start_deg,
                    const std::string& guess, const std::string& more = "") {
   const auto text = [](double x) { return std::to_string(x); };
@@ -172,7 +174,8 @@ TEST(Branch, WhitworthsLeverFollowsItsClosedForm) {
     least = std::min(least, rate);
     most = std::max(most, rate);
   }
-  // The quick return: the lever goes back three times as fast as forth, (1.5 / 1.5) against (1.5 / 4.5).
+  // The quick return: the lever goes back three times as fast as forth, (1.5 / 1.5) against (1.5 /
+  // 4.5).
   EXPECT_NEAR(-least / most, 3, 1e-2);
 }
 
@@ -257,7 +260,8 @@ TEST(Branch, LocatesWhereBranchesCrossAndWhereTheyTouch) {
   }
 }
 
-// Beside a crossing points are known to 1e-16 / sigma, which is more than a thousandth of so short a step.
+// Beside a crossing points are known to 1e-16 / sigma, which is more than a thousandth of so short
+// a step.
 TEST(Branch, ComesToACrossingByStepsThatAreAsShortAsWhatIsKnownOfPoints) {
   for (const bool is_parallel : {true, false}) {
     const std::string guess = is_parallel ? "\"coupler.phi\" = 0\n\"rocker.phi\" = 60\n"
@@ -291,7 +295,8 @@ TEST(Branch, DoubleParallelCrankWithItsRedundantRowEndsAtTheLine) {
 }
 
 TEST(Branch, PassesANearChangePointOnItsOwnBranch) {
-  // Grashof's links by a hair: at 180 degrees two branches pass each other closely, neither ends. There and back again.
+  // Grashof's links by a hair: at 180 degrees two branches pass each other closely, neither ends.
+  // There and back again.
   for (const double more : {1e-2, 1e-4, 1e-6}) {
     const Mechanism m =
         four_bar(3 + more, 2, 3, 2 + 2 * more, 60, "\"coupler.phi\" = 0\n\"rocker.phi\" = 60\n");
@@ -314,7 +319,8 @@ TEST(Branch, EndsAtAJointsLimit) {
   EXPECT_NEAR(branch.event->q[kRocker], 70 * kDegree, 1e-10);
 }
 
-/// Whether central differences of order four of `values` give `rates`, as far as the samples are smooth.
+/// Whether central differences of order four of `values` give `rates`, as far as the samples are
+/// smooth.
 void expect_derivative(const Branch& branch, double h, VectorXd BranchSample::*value,
                        VectorXd BranchSample::*rate, const std::string& name) {
   constexpr double kJump = 1;  // a rotation vector was shortened by a turn

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does every mechanism of problems/mechanisms assemble where its closures were published or computed?
+// Does every mechanism of problems/mechanisms assemble where its closures were published or
+// computed?
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -62,7 +63,8 @@ TEST(Examples, EveryMechanismAssemblesFromItsGuessWithItsMobility) {
   }
 }
 
-/// Angles that Newton reaches from guessed body angles (degrees kept to two decimals, so that Newton has work to do).
+/// Angles that Newton reaches from guessed body angles (degrees kept to two decimals, so that
+/// Newton has work to do).
 VectorXd assembled_from_angles(const Mechanism& mechanism, const std::vector<double>& angles_rad,
                                std::size_t first_body) {
   Mechanism guessed = mechanism;
@@ -233,7 +235,8 @@ TEST(Examples, BennettFollowsItsClosureRelation) {
       ASSERT_EQ(run.status, NewtonStatus::converged) << run.message;
       q = run.q;
     }
-    // theta2 turns Rx(alpha1) z-frames: the angle about joint 2's axis between link1's x and link2's x.
+    // theta2 turns Rx(alpha1) z-frames: the angle about joint 2's axis between link1's x and
+    // link2's x.
     const Eigen::Vector3d x1 = orientation(m, 1, q).col(0), x2 = orientation(m, 2, q).col(0);
     EXPECT_NEAR(std::acos(x1.dot(x2)) / kDegree, theta2, 1e-9);
   }

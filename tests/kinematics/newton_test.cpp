@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does every way in which a Newton-Raphson run can end have its status, its message and its numbers?
+// Does every way in which a Newton-Raphson run can end have its status, its message and its
+// numbers?
 #include "moivre/kinematics/newton.h"
 
 #include <gtest/gtest.h>
@@ -140,8 +141,8 @@ TEST(Newton, AnAngleOfManyTurnsMakesNoNoiseOfLengths) {
   EXPECT_NEAR(std::abs(run.q[1]) / 1e-9, std::sqrt(0.75), kRoundingOfTheAngle);
 }
 
-// A lift under a plate on a ball, its corners held by three rods. From here an earlier version came to rest off the
-// constraints, its rotation vectors billions long, and called that converged.
+// A lift under a plate on a ball, its corners held by three rods. From here an earlier version came
+// to rest off the constraints, its rotation vectors billions long, and called that converged.
 TEST(Newton, RotationVectorsStayShortOnTheWayFromAFarGuess) {
   const Mechanism m = typed(R"toml(
 space = "spatial"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do solves, velocities, accelerations, ranks and null spaces meet the course notes? A test a page, with the page's numbers.
+// Do solves, velocities, accelerations, ranks and null spaces meet the course notes? A test a page,
+// with the page's numbers.
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -25,7 +26,8 @@ using test::typed;
 
 constexpr double kSixDigits = 5e-7;  // half a unit of the sixth printed decimal
 
-/// The four-bar of p15 as its three angles' loop equations, crank driven at 40 degrees, omega = 25, alpha = 15.
+/// The four-bar of p15 as its three angles' loop equations, crank driven at 40 degrees, omega = 25,
+/// alpha = 15.
 Mechanism four_bar_equations() {
   return typed(R"toml(
 [unknowns]
@@ -249,7 +251,8 @@ TEST(SeedP16, EveryUsableChoiceOfVGivesTheSameClosure) {
 
 TEST(SeedP16, ChoiceThatMakesPhiUSingularIsRefused) {
   const Phi joints = Phi(four_bar_equations()).without_drivers();
-  // Crank and coupler in line, 160 from O2 to B: the rocker stands at its limit and cannot be prescribed.
+  // Crank and coupler in line, 160 from O2 to B: the rocker stands at its limit and cannot be
+  // prescribed.
   const double rocker = std::acos((100.0 * 100 + 80 * 80 - 160 * 160) / (2 * 100 * 80));
   const double line = std::acos((100.0 * 100 + 160 * 160 - 80 * 80) / (2 * 100 * 160));
   const Vector3d q(line, line, std::acos(-1.0) - rocker);
@@ -592,7 +595,8 @@ TEST(SeedP44, LeftNullVectorsAreTheRedundancyVectors) {
   const MatrixXd J = phi.without_drivers().jacobian(parallel_pose(60 * kDegree), 0);
   ASSERT_EQ(m.left_null_space.cols(), 1);
   EXPECT_LT((m.left_null_space.transpose() * J).norm(), 1e-14);
-  // The vector and the named combination are one direction: c = (combination, -1 at the redundant row).
+  // The vector and the named combination are one direction: c = (combination, -1 at the redundant
+  // row).
   VectorXd c = VectorXd::Zero(12);
   c[m.redundant[0].row] = -1;
   for (const RowShare& share : m.redundant[0].combination) c[share.row] = share.coefficient;

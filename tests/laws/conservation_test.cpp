@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Conservation: no path is lost or counted twice. As many paths end in a ball as it has roots, with their multiplicities.
+// Conservation: no path is lost or counted twice. As many paths end in a ball as it has roots, with
+// their multiplicities.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -132,7 +133,8 @@ TEST(Conservation, AsManyPathsEndAtAPlantedRootAsItsMultiplicity) {
 TEST(Conservation, WhatLeavesTheFinitePlaneEndsAtInfinity) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     RandomValues random(seed);
-    // Two conics with an asymptotic direction in common meet at three finite points, and once at infinity.
+    // Two conics with an asymptotic direction in common meet at three finite points, and once at
+    // infinity.
     const auto any = [&] {
       return Coefficient{Rational(random.between(-1, 1)), Rational(random.between(-1, 1))};
     };

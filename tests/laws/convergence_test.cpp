@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Orders of convergence: steps of a predictor of order p grow by tol^(-1/p); each correction by Newton's method squares the error.
+// Orders of convergence: steps of a predictor of order p grow by tol^(-1/p); each correction by
+// Newton's method squares the error.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -72,7 +73,8 @@ struct Cubics {
   Homotopy homotopy;
 };
 
-// The error of a step h is of order h^p: a tolerance 10^4 times tighter takes 10^(4/p) times the steps.
+// The error of a step h is of order h^p: a tolerance 10^4 times tighter takes 10^(4/p) times the
+// steps.
 TEST(OrderOfConvergence, StepsOfALanesPredictorGrowByItsOrder) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const Cubics cubics(seed);

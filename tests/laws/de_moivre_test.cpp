@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// De Moivre: the d roots of z are turned by the d-th part of a turn, on the circle of radius |z|^(1/d).
+// De Moivre: the d roots of z are turned by the d-th part of a turn, on the circle of radius
+// |z|^(1/d).
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,8 +14,8 @@ namespace {
 
 using test::RandomValues;
 
-// An angle of up to a turn is right to two units of its last digit (1.8e-15), and the power multiplies that by d; each of its d products
-// is right to 3e-16.
+// An angle of up to a turn is right to two units of its last digit (1.8e-15), and the power
+// multiplies that by d; each of its d products is right to 3e-16.
 double rounding(std::uint64_t d) { return 2.2e-15 * static_cast<double>(d); }
 
 Complex power_of(Complex x, std::uint64_t d) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Gruebler: a planar body has three freedoms, a pin takes two of them, and each redundant constraint gives one back.
+// Gruebler: a planar body has three freedoms, a pin takes two of them, and each redundant
+// constraint gives one back.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -17,7 +18,8 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 using test::RandomValues;
 
-/// Bodies in random poses, and pins at random places, given in the frames of both bodies: assembled as it is.
+/// Bodies in random poses, and pins at random places, given in the frames of both bodies: assembled
+/// as it is.
 class PinnedBodies {
  public:
   PinnedBodies(std::size_t bodies, std::uint64_t seed) : random_(seed), points_(bodies + 1) {

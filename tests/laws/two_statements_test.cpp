@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A mechanism is stated twice, as Phi(q, t) and as closure polynomials: both vanish at the same poses, and at no others.
+// A mechanism is stated twice, as Phi(q, t) and as closure polynomials: both vanish at the same
+// poses, and at no others.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -98,7 +99,8 @@ TEST(TwoStatements, NeitherVanishesBesideAPose) {
       if (!pose) continue;
       VectorXd q = *pose;
       const double size = std::max(1.0, q.cwiseAbs().maxCoeff());
-      // Drivers and angles stay: what holds an angle is put into the polynomials and cannot be broken there.
+      // Drivers and angles stay: what holds an angle is put into the polynomials and cannot be
+      // broken there.
       for (Index k = 0; k < q.size(); ++k) {
         if (k % 3 != 2) q[k] += 1e-3 * size * random.between(0.5, 1);
       }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do closures leave out velocities and accelerations, and a motion from a given guess the closures? Nobody asked for them.
+// Do closures leave out velocities and accelerations, and a motion from a given guess the closures?
+// Nobody asked for them.
 #include "moivre/closures/closures.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a run over polynomials leave TOML alone, and with the lanes SUNDIALS? The command line, run inside this program.
+// Does a run over polynomials leave TOML alone, and with the lanes SUNDIALS? The command line, run
+// inside this program.
 #include <gtest/gtest.h>
 
 #include <fstream>

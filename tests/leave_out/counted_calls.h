@@ -4,7 +4,8 @@
 
 namespace moivre::test {
 
-/// Calls from the beginning of the program. Constant-initialized, so that a call before main counts as well.
+/// Calls from the beginning of the program. Constant-initialized, so that a call before main counts
+/// as well.
 class CallCounter {
  public:
   void raise() noexcept { ++calls_; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does kinematics factor once for velocity and acceleration, and ask for neither where only a pose is wanted?
+// Does kinematics factor once for velocity and acceleration, and ask for neither where only a pose
+// is wanted?
 #include <gtest/gtest.h>
 
 #include "moivre/kinematics/state.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a solve leave out endgames, double-double, threads and SUNDIALS where its paths do not need them? Calls are counted.
+// Does a solve leave out endgames, double-double, threads and SUNDIALS where its paths do not need
+// them? Calls are counted.
 #include <gtest/gtest.h>
 
 #include <mutex>
@@ -145,7 +146,8 @@ TEST(LeaveOut, NoEndgameRunsOnRegularEnds) {
   }
 }
 
-// The lanes have factors of their own: where they track, only an endgame asks PathSystem for any, at an end that it judges.
+// The lanes have factors of their own: where they track, only an endgame asks PathSystem for any,
+// at an end that it judges.
 TEST(LeaveOut, AnEndgameFactorsLessThanOnceAPathOnTheWayToRegularEnds) {
   const auto tracker = make_lane_tracker();
   const auto factorizations_of = [&](const std::string& name) {

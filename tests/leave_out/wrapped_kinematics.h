@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How often were velocity, acceleration and a factorization asked for? Counters on the calls between modules; include once.
+// How often were velocity, acceleration and a factorization asked for? Counters on the calls
+// between modules; include once.
 //
-// The names are those that g++ and clang++ give Phi::velocity_rhs, Phi::acceleration_rhs and Factorization's constructor.
+// The names are those that g++ and clang++ give Phi::velocity_rhs, Phi::acceleration_rhs and
+// Factorization's constructor.
 // The two that return an Eigen vector get its place as their first argument.
 #pragma once
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How often were closures sought, their polynomials written down and solved? Counters on the calls; include once.
+// How often were closures sought, their polynomials written down and solved? Counters on the calls;
+// include once.
 //
 // The names are those that g++ and clang++ give find_closures, formulate and solve.
 #pragma once

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How often was a pool of threads opened or set to work? Counters on the calls into oneTBB; include once.
+// How often was a pool of threads opened or set to work? Counters on the calls into oneTBB; include
+// once.
 //
-// Every arena begins in tbb::detail::r1::initialize(task_arena_base&), every parallel loop ends in r1::execute_and_wait().
+// Every arena begins in tbb::detail::r1::initialize(task_arena_base&), every parallel loop ends in
+// r1::execute_and_wait().
 #pragma once
 
 #include "counted_calls.h"

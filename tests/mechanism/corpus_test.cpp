@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the mechanism reader keep its laws on every input that the fuzzer kept, on every example and on every faulty file?
+// Does the mechanism reader keep its laws on every input that the fuzzer kept, on every example and
+// on every faulty file?
 #include <gtest/gtest.h>
 
 #include <filesystem>

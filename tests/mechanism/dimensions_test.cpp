@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are dimensions named, set and told as typed, and is Phi_p what Phi's differences say, for every joint and driver?
+// Are dimensions named, set and told as typed, and is Phi_p what Phi's differences say, for every
+// joint and driver?
 #include "moivre/mechanism/dimensions.h"
 
 #include <gtest/gtest.h>
@@ -166,7 +167,8 @@ void expect_differences(const Mechanism& mechanism, const std::string& name) {
     const MatrixXd partial = partial_dimensions(mechanism, all, q, 0.3);
     ASSERT_EQ(partial.rows(), Phi(mechanism).size()) << name;
     for (std::size_t k = 0; k < all.size(); ++k) {
-      // Rows are of second degree in a dimension at most, or turns: differences are right to rounding, or to h^2.
+      // Rows are of second degree in a dimension at most, or turns: differences are right to
+      // rounding, or to h^2.
       const double h = all[k].is_angle ? 1e-4 : 1e-3;
       const double value = dimension_value(mechanism, all[k], 0.3);
       const auto moved = [&](double by) {

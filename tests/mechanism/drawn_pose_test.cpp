@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a drawing known as one, is its pose the guess, and is a point that one body has elsewhere told?
+// Is a drawing known as one, is its pose the guess, and is a point that one body has elsewhere
+// told?
 #include "moivre/mechanism/drawn_pose.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +10,8 @@
 namespace moivre::test {
 namespace {
 
-/// A four-bar typed from a drawing: crank from O to A, coupler to B, rocker to P; the coupler has `B` where it is asked to.
+/// A four-bar typed from a drawing: crank from O to A, coupler to B, rocker to P; the coupler has
+/// `B` where it is asked to.
 std::string drawn_four_bar(const std::string& coupler_b = "[110, 70]",
                            const std::string& start = "0") {
   return R"toml([units]

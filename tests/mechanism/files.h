@@ -18,7 +18,8 @@ inline Mechanism typed(const std::string& text) {
   return read_mechanism(Source{"typed.toml", text});
 }
 
-/// Links of 2 and 1 on pivots `base` apart, pinned at their tips: from 1 to 3 a triangle, there and at 1 folded.
+/// Links of 2 and 1 on pivots `base` apart, pinned at their tips: from 1 to 3 a triangle, there and
+/// at 1 folded.
 inline std::string triangle_text(const std::string& base) {
   return "[ground.points]\nO = [0, 0]\nP = [" + base + R"toml(, 0]
 [body.left.points]
@@ -39,7 +40,8 @@ at = ["left.A", "right.A"]
 )toml";
 }
 
-/// Two links of 1 between a pivot and a slider at a distance that `value` gives: stretched out where that is 2.
+/// Two links of 1 between a pivot and a slider at a distance that `value` gives: stretched out
+/// where that is 2.
 inline std::string toggle_text(const std::string& value) {
   return R"toml(
 [ground.points]
@@ -72,7 +74,8 @@ value = ")toml" +
          value + "\"\n";
 }
 
-/// A crank, a rod and a slider whose line, through G, passes `offset` above the crank's pivot; the slide is `guide`. Drivers are to be added.
+/// A crank, a rod and a slider whose line, through G, passes `offset` above the crank's pivot; the
+/// slide is `guide`. Drivers are to be added.
 inline std::string slider_crank_links(double crank, double rod, double offset) {
   const auto text = [](double x) { return std::to_string(x); };
   return "[ground.points]\nO = [0, 0]\nG = [0, " + text(offset) +
@@ -97,7 +100,8 @@ name = "guide"
 )toml";
 }
 
-/// A crank at 50 degrees and a rocker about a skew axis; the link between them turns about its two balls, and nothing depends on that.
+/// A crank at 50 degrees and a rocker about a skew axis; the link between them turns about its two
+/// balls, and nothing depends on that.
 inline constexpr const char* kSpinningCoupler = R"toml(space = "spatial"
 [ground.points]
 O2 = [0, 0, 0]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is the same mechanism with its lengths typed in another unit? For tests that nothing depends on it.
+// What is the same mechanism with its lengths typed in another unit? For tests that nothing depends
+// on it.
 #pragma once
 
 #include <variant>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the table of joint types say what Phi holds? Rows and freedoms of each, and the thread of a screw.
+// Does the table of joint types say what Phi holds? Rows and freedoms of each, and the thread of a
+// screw.
 #include "moivre/mechanism/joint_type.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are values by the names of coordinates put into q, in the file's units, and is what cannot be one refused with all others?
+// Are values by the names of coordinates put into q, in the file's units, and is what cannot be one
+// refused with all others?
 #include "moivre/mechanism/named_values.h"
 
 #include <gtest/gtest.h>

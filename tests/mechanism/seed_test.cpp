@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do coordinates, constraints and drivers do what the course notes say? A test a page, named by it, with the page's numbers.
+// Do coordinates, constraints and drivers do what the course notes say? A test a page, named by it,
+// with the page's numbers.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

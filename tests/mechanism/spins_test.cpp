@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which bodies turn about a line while everything else stands, and does the row that holds them leave one pose of all?
+// Which bodies turn about a line while everything else stands, and does the row that holds them
+// leave one pose of all?
 #include "moivre/mechanism/spins.h"
 
 #include <gtest/gtest.h>
@@ -49,7 +50,8 @@ TEST(Spins, HaveOneRowThatTheTurnAloneChanges) {
   EXPECT_EQ(phi.row_names()[static_cast<std::size_t>(row)], "spin of coupler");
   VectorXd q = VectorXd::Zero(phi.dimension());
   EXPECT_EQ(phi.value(q, 0)[row], 0) << "as drawn";
-  // Turned about its line, which is drawn along x, by every angle: the row vanishes at two of them, half a turn apart.
+  // Turned about its line, which is drawn along x, by every angle: the row vanishes at two of them,
+  // half a turn apart.
   int changes = 0;
   double before = 0;
   for (int k = 1; k <= 100; ++k) {

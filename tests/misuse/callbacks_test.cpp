@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does what a callback throws end the run and come to the caller, on any number of threads and with every tracker?
+// Does what a callback throws end the run and come to the caller, on any number of threads and with
+// every tracker?
 #include <stdexcept>
 
 #include "moivre/arms/arm_closures.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are mechanisms put together in code refused by name where they cannot be meant, whatever takes them?
+// Are mechanisms put together in code refused by name where they cannot be meant, whatever takes
+// them?
 #include <functional>
 #include <limits>
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Does anything that is put together at random, and put together wrongly, do worse than being refused?
+// Does anything that is put together at random, and put together wrongly, do worse than being
+// refused?
 //
-// Systems, families, mechanisms and arms are changed in one to three random places and handed to the entries of the library. Each may be
-// refused (InvalidInput, or std::overflow_error where paths or exponents are too many) or answered, and nothing else. MOIVRE_MISUSES
-// sets how many are tried of each kind; the sanitizers see what reads or writes beyond its place.
+// Systems, families, mechanisms and arms are changed in one to three random places and handed to
+// the entries of the library. Each may be refused (InvalidInput, or std::overflow_error where paths
+// or exponents are too many) or answered, and nothing else. MOIVRE_MISUSES sets how many are tried
+// of each kind; the sanitizers see what reads or writes beyond its place.
 #include <cstdlib>
 #include <limits>
 #include <random>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does what is put together in code mean what the same text means: polynomials, mechanisms, own starts, own functions, tables?
+// Does what is put together in code mean what the same text means: polynomials, mechanisms, own
+// starts, own functions, tables?
 #include <cmath>
 
 #include "moivre/arms/pose_table.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do actuators have the closures of rods of the driven lengths, in the plane and in space, and does a free one hold nothing?
+// Do actuators have the closures of rods of the driven lengths, in the plane and in space, and does
+// a free one hold nothing?
 #include <gtest/gtest.h>
 
 #include <cmath>

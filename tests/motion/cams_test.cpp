@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do cams lift their followers by the table, whole turns and carriers counted, and is a cam that nothing drives refused?
+// Do cams lift their followers by the table, whole turns and carriers counted, and is a cam that
+// nothing drives refused?
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -165,7 +166,8 @@ TEST(ACam, ThatNothingDrivesIsRefusedWithWhatWorks) {
   }
 }
 
-/// A piston turns the crank that carries the cams: their angles come out of the loop, and a tappet and a lever hang on them.
+/// A piston turns the crank that carries the cams: their angles come out of the loop, and a tappet
+/// and a lever hang on them.
 TEST(FollowersOfACam, StandByItsAngleInEveryClosureAndForEverySeed) {
   const std::string text = R"toml(
 [units]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are circuits those that a hand finds which moves the linkage, and do links turn and rock as the books say?
+// Are circuits those that a hand finds which moves the linkage, and do links turn and rock as the
+// books say?
 #include "moivre/motion/circuits.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +48,8 @@ Groups groups_of(const Circuits& circuits, const MotionResult& motion) {
   return groups;
 }
 
-/// Every closure at the beginning is traced by hand: the same closures on a circuit, the same angles.
+/// Every closure at the beginning is traced by hand: the same closures on a circuit, the same
+/// angles.
 void expect_as_traced(const Mechanism& mechanism, const std::string& what) {
   constexpr double kStep = 0.01;
   constexpr double kMissedBetweenSteps = 1e-4;
@@ -216,7 +218,8 @@ TEST(Circuits, StephensonsThreeHasTwoCirclesAndOneThatRocks) {
   EXPECT_EQ(third.stretches.size(), 2U);
   for (const auto& stretch : third.stretches) {
     ASSERT_EQ(stretch.size(), 2U);
-    // The branch that begins late is the first one of the stretch: the driver stands a turn earlier there.
+    // The branch that begins late is the first one of the stretch: the driver stands a turn earlier
+    // there.
     EXPECT_GT(motion.branches[stretch[0]].begins, 0);
     EXPECT_EQ(motion.branches[stretch[1]].begins, 0);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a driver that goes from one dead point to the other find both branches, and that they are one circuit?
+// Does a driver that goes from one dead point to the other find both branches, and that they are
+// one circuit?
 #include <gtest/gtest.h>
 
 #include <algorithm>

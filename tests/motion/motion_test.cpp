@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is every closure followed, on its own branch, to where that ends, and is an exchange of branches found out?
+// Is every closure followed, on its own branch, to where that ends, and is an exchange of branches
+// found out?
 #include "moivre/motion/motion.h"
 
 #include <gtest/gtest.h>
@@ -124,7 +125,8 @@ TEST(Motion, JansenLegHasEightEightSixEightRealClosuresAndItsBranchesEndInPairs)
 }
 
 TEST(Motion, JansenLegsDeadPointsAreThoseOfItsLastDyad) {
-  // Branches meet where D and C are as far apart as f + g; the first two dyads turn all the way round.
+  // Branches meet where D and C are as far apart as f + g; the first two dyads turn all the way
+  // round.
   const Mechanism m = mechanism_file("jansen-leg");
   const MotionResult result = motion_of(m, options_for(m));
   const auto body = [&](const std::string& name) {
@@ -141,7 +143,8 @@ TEST(Motion, JansenLegsDeadPointsAreThoseOfItsLastDyad) {
 }
 
 TEST(Motion, OffsetSliderCranksTwoRangesAreBothFound) {
-  // b sin(phi1) lies between r - a and r + a twice a turn; the second range lies between two checkpoints.
+  // b sin(phi1) lies between r - a and r + a twice a turn; the second range lies between two
+  // checkpoints.
   const Mechanism m = mechanism_file("slider-crank");
   const MotionResult result = motion_of(m, options_for(m));
   expect_whole(result, m);
@@ -223,7 +226,8 @@ TEST(Motion, EverySampleIsAClosureSolvedAfresh) {
   }
 }
 
-/// Follows faithfully with shortened steps; with the first ones it leaves branch `from` for `to` halfway, and back the same way.
+/// Follows faithfully with shortened steps; with the first ones it leaves branch `from` for `to`
+/// halfway, and back the same way.
 /// `both`: and `to` for `from`.
 struct Exchange {
   VectorXd from, to;
@@ -297,7 +301,8 @@ TEST(Motion, ExchangeThatCannotBeRepairedIsSaid) {
   EXPECT_FALSE(result.failures.empty());
 }
 
-/// Follows branches as always, and moves their events in time by less than these are known to, in turns by `shift` and not at all.
+/// Follows branches as always, and moves their events in time by less than these are known to, in
+/// turns by `shift` and not at all.
 struct RoundedOtherwise {
   double shift;
   int calls = 0;
@@ -336,7 +341,8 @@ TEST(Motion, BranchThatIsFoundAtTheLastCheckpointSaysHowItEnded) {
 }
 
 TEST(Motion, LongStepsDoNotChangeTheBranches) {
-  // Steps that may turn by anything and miss by anything: the samples and the checkpoints hold them.
+  // Steps that may turn by anything and miss by anything: the samples and the checkpoints hold
+  // them.
   const Mechanism m = mechanism_file("jansen-leg");
   const MotionResult expected = motion_of(m, options_for(m));
   MotionOptions options = options_for(m, 2);
@@ -400,7 +406,8 @@ TEST(Motion, EquationsOfHalfAnglesAreFollowedBeyondATurn) {
   }
 }
 
-// The links of a stretched toggle pass through the line as slowly as the square of the time: branches touch.
+// The links of a stretched toggle pass through the line as slowly as the square of the time:
+// branches touch.
 TEST(Motion, BranchesThatTouchMeetInOneEvent) {
   const Mechanism m = mechanism_text(test::toggle_text("2 - (t - 1.1)^4"));
   MotionOptions options = options_for(m, 20);
@@ -497,7 +504,8 @@ TEST(Motion, NaturalDurationIsOneTurn) {
   EXPECT_EQ(natural_duration(m), 1);
 }
 
-/// Crank of 1, coupler of 1.5, pivots 4 apart: with a rocker of 1.5 it closes at the crank's angle 0 alone.
+/// Crank of 1, coupler of 1.5, pivots 4 apart: with a rocker of 1.5 it closes at the crank's angle
+/// 0 alone.
 std::string nearly_too_short(const std::string& rocker) {
   return R"([units]
 angle = "rad"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are the polynomials of any time known from those of a few, also where a formulation tells only what they span?
+// Are the polynomials of any time known from those of a few, also where a formulation tells only
+// what they span?
 #include "moving_polynomials.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +55,8 @@ Eigen::MatrixXd matrix_of(const MovingPolynomials& polynomials, const std::vecto
   return matrix_of(f, std::vector<double>(f.system.variables.size(), 1), rows, columns);
 }
 
-// The pivots of its 3-spaces change within a quarter of a turn, and with them all four rows. What they span does not jump.
+// The pivots of its 3-spaces change within a quarter of a turn, and with them all four rows. What
+// they span does not jump.
 TEST(MovingPolynomials, SpanWhatAFormulationWithOtherPivotsSpans) {
   for (const char* name : {"bricard-driven", "7r-loop"}) {
     const Mechanism m = mechanism_file(name);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do racks and pinions stand where rolling puts them, whichever end is known, and is a rack that no polynomial settles refused?
+// Do racks and pinions stand where rolling puts them, whichever end is known, and is a rack that no
+// polynomial settles refused?
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -205,7 +206,8 @@ length = 70
   }
 }
 
-/// An arm that a four-bar turns carries guide, pinion and a wheel that meshes with it; the slide on it is driven.
+/// An arm that a four-bar turns carries guide, pinion and a wheel that meshes with it; the slide on
+/// it is driven.
 TEST(ARackOnAMovingArm, TurnsThePinionRelativeToTheArm) {
   const Mechanism m = mechanism_text(
       R"toml(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a pose found among closures exactly where it is the same as one of them? That the others need no look is tested where they are told
-// apart by their numbers: tests/numeric/near_points_test.cpp.
+// Is a pose found among closures exactly where it is the same as one of them? That the others need
+// no look is tested where they are told apart by their numbers: tests/numeric/near_points_test.cpp.
 #include "scene.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a branch found that lives for a ten-millionth of the motion? Six-bars whose dead points are known from other equations.
+// Is a branch found that lives for a ten-millionth of the motion? Six-bars whose dead points are
+// known from other equations.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -81,7 +82,8 @@ void expect_found(BriefKind kind, const std::vector<double>& shares, std::uint64
 }
 
 TEST(ShortBranches, AreToldWhereTheGapBetweenThemIsTooShortToBeFound) {
-  // What sets out beyond one of the dead points does not come back to it: it was sought again without end.
+  // What sets out beyond one of the dead points does not come back to it: it was sought again
+  // without end.
   const MotionResult motion = turn_of(random_brief_life(BriefKind::gap, 1e-7, 1, 1));
   EXPECT_FALSE(motion.complete);
   EXPECT_FALSE(motion.failures.empty());
@@ -139,7 +141,8 @@ TEST(ShortBranches, WhatIsLeftUnseenBetweenEventsIsTold) {
   EXPECT_EQ(doubts_after(0).size(), 1U);
 }
 
-/// The dead points' times are from equations of their own: there the mechanism has a closure, and is singular.
+/// The dead points' times are from equations of their own: there the mechanism has a closure, and
+/// is singular.
 TEST(ShortBranches, TheTimesThatAreExpectedAreDeadPoints) {
   const BriefLife brief = random_brief_life(BriefKind::island, 1e-3, 12, 0);
   EXPECT_NEAR(brief.times[1] - brief.times[0], 1e-3 * kTurn_s, 1e-4 * kTurn_s);

@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: MIT
-// In which six-bars does a branch live for an instant only, and when exactly is it born and when does it die?
+// In which six-bars does a branch live for an instant only, and when exactly is it born and when
+// does it die?
 //
-// A Watt or Stephenson chain with random joints, a random ground link and a driven neighbour. F(theta, tau) are its two loops, theta the
-// four other links' angles and tau the driver's. One binary link is 1 + lambda times as long as drawn. lambda is sought where two dead
-// points coincide (F_theta n = 0, v' F_theta = 0, |n| = |v| = 1):
-//   island      v' [F_theta F_tau] = 0, its second derivative definite: two branches, between the same dead points
-//   gap         the same, not definite: the branches that are there before and after are apart for a moment
-//   fold-back   v' F_theta,theta n n = 0 (a cusp): a branch between two others, born where the one dies that ends later
-// From there lambda goes back until the dead points are `life` apart. They are zeros of [F, F_theta w, |w|^2 - 1], by Newton's method in
-// extended precision, with the link as long as the file has it. Nothing of the program's own kinematics is used.
+// A Watt or Stephenson chain with random joints, a random ground link and a driven neighbour.
+// F(theta, tau) are its two loops, theta the four other links' angles and tau the driver's. One
+// binary link is 1 + lambda times as long as drawn. lambda is sought where two dead points coincide
+// (F_theta n = 0, v' F_theta = 0, |n| = |v| = 1):
+//   island      v' [F_theta F_tau] = 0, its second derivative definite: two branches, between the
+//               same dead points
+//   gap         the same, not definite: the branches that are there before and after are apart for
+//               a moment
+//   fold-back   v' F_theta,theta n n = 0 (a cusp): a branch between two others, born where the one
+//               dies that ends later
+// From there lambda goes back until the dead points are `life` apart. They are zeros of [F, F_theta
+// w, |w|^2 - 1], by Newton's method in extended precision, with the link as long as the file has
+// it. Nothing of the program's own kinematics is used.
 // theta: 4; y = (theta, tau): 5; F: 4; angles in radians, tau - start is the time in seconds.
-// Source: [GolubitskySchaeffer85] has the three singularities by these names: isola, simple bifurcation, hysteresis.
+// Source: [GolubitskySchaeffer85] has the three singularities by these names: isola, simple
+// bifurcation, hysteresis.
 #pragma once
 
 #include <Eigen/Dense>
@@ -150,7 +157,8 @@ class SixBarLoops {
   std::size_t stretched_ = 0;
 };
 
-/// Newton's method, with the least correction where the Jacobian is not square. nullopt: it does not converge.
+/// Newton's method, with the least correction where the Jacobian is not square. nullopt: it does
+/// not converge.
 template <class System>
 std::optional<FineVector> fine_newton(const System& system, FineVector x) {
   constexpr int kMostSteps = 60;
@@ -303,7 +311,8 @@ class BriefLifeDrawer {
         std::abs(reach) < kClear) {
       return std::nullopt;
     }
-    // The dead points of z' Q z = c, c = -2 g (lambda - lambda*): z = +- Q^-1 n e with c = reach e^2.
+    // The dead points of z' Q z = c, c = -2 g (lambda - lambda*): z = +- Q^-1 n e with c = reach
+    // e^2.
     return Centre{false, y, (*found)[5], Z * to, -reach / (2 * g)};
   }
 
@@ -312,7 +321,8 @@ class BriefLifeDrawer {
     const auto system = [&](const FineVector& x, FineVector& f, FineMatrix& J) {
       f = cusp_value(loops, x);
       J.resize(f.size(), x.size());
-      // The value is analytic: differences in extended precision leave Newton's method nearly quadratic.
+      // The value is analytic: differences in extended precision leave Newton's method nearly
+      // quadratic.
       constexpr Fine kStep = 1e-7L;
       for (Eigen::Index k = 0; k < x.size(); ++k) {
         const FineVector way = kStep * FineVector::Unit(x.size(), k);
@@ -396,7 +406,8 @@ class BriefLifeDrawer {
     return pair;
   }
 
-  /// The dead points that are `life` apart, within a part of it: what is small is changed until they are.
+  /// The dead points that are `life` apart, within a part of it: what is small is changed until
+  /// they are.
   static std::optional<Pair> pair_of_life(const SixBarLoops& loops, const Centre& centre,
                                           Fine life) {
     // Of what is small: the distance in time goes with its first power, with its third at a cusp.

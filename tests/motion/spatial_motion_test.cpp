@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do branches of spatial mechanisms keep to themselves, through singular poses and past them, and are these told as what they are?
+// Do branches of spatial mechanisms keep to themselves, through singular poses and past them, and
+// are these told as what they are?
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,7 +47,8 @@ void expect_whole(const MotionResult& result) {
   }
 }
 
-/// Every sample is a closure that is solved afresh, by another seed, and every closure is on one branch.
+/// Every sample is a closure that is solved afresh, by another seed, and every closure is on one
+/// branch.
 void expect_closures_afresh(const Mechanism& mechanism, const MotionResult& result,
                             double left_out) {
   for (const double time : result.times) {
@@ -74,7 +76,8 @@ const MotionBranch& branch_called(const MotionResult& result, const std::string&
                        [&](const MotionBranch& branch) { return branch.id == id; });
 }
 
-/// The largest difference of a joint between neighbouring samples, and of the same from one difference to the next.
+/// The largest difference of a joint between neighbouring samples, and of the same from one
+/// difference to the next.
 std::pair<double, double> jumps(const Mechanism& mechanism, const std::string& joint,
                                 const std::vector<BranchSample>& samples) {
   double jump = 0, bend = 0, before = 0;
@@ -188,7 +191,8 @@ TEST(SpatialMotion, BennettsLinkageGoesAllTheWayRoundAndComesBackToItself) {
   }
 }
 
-// The rod says where the rocker goes; a coupler that is typed as a body beside it may spin, and no more.
+// The rod says where the rocker goes; a coupler that is typed as a body beside it may spin, and no
+// more.
 TEST(SpatialMotion, ACouplerThatSpinsBetweenBallsMovesAsARodDoes) {
   Mechanism bodies = mechanism_text(test::kSpinningCoupler);
   bodies.drivers[0].law = Parabola{0.9, 1, 0};
@@ -270,7 +274,8 @@ TEST(SpatialMotion, OverconstrainedLoopsHaveAllTheirPairsOfComplexClosuresFollow
   }
 }
 
-// At its folded poses branches cross, the top swings, and rounding parts the double closures into two that are real or not.
+// At its folded poses branches cross, the top swings, and rounding parts the double closures into
+// two that are real or not.
 TEST(SpatialMotion, SarrussLinkageIsFollowedThoughEveryCheckpointIsACrossing) {
   if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
   for (const int start_deg : {45, 135}) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are closures and motions of independent sub-chains, each found on its own, those of the mechanism as a whole?
+// Are closures and motions of independent sub-chains, each found on its own, those of the mechanism
+// as a whole?
 #include "moivre/closures/sub_chains.h"
 
 #include <gtest/gtest.h>
@@ -246,7 +247,8 @@ TEST(SubChains, CheckpointsOfTheWholeMultiplyThoseOfEach) {
   EXPECT_EQ(motion.sub_chains.front().motion.branches.front().samples.size(), 9U);
 }
 
-/// Two cranks pinned to one more point of the bar than it needs, with lengths typed to two digits, and the bar held within the angles.
+/// Two cranks pinned to one more point of the bar than it needs, with lengths typed to two digits,
+/// and the bar held within the angles.
 std::string rounded_leg_text(const std::string& limits) {
   return R"([body.c2.points]
 O = [0, 0]

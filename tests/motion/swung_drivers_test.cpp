@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is every branch found where a driver swings to and fro, so that checkpoints fall on its turns and on poses that have lost roots?
+// Is every branch found where a driver swings to and fro, so that checkpoints fall on its turns and
+// on poses that have lost roots?
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +27,8 @@ std::string slider_crank(const std::string& law) {
          "\"\n";
 }
 
-// Both closures are real for a while in each half swing; at s = 0 they are at infinity, at s = 10 the driver stands.
+// Both closures are real for a while in each half swing; at s = 0 they are at infinity, at s = 10
+// the driver stands.
 TEST(ASwungSlide, HasTwoBranchesInEachHalfSwing) {
   for (const int swings : {1, 2, 4, 10}) {
     const std::string law = "5 + 5*cos(" + std::to_string(2 * swings) + "*pi*t)";
@@ -45,7 +47,8 @@ TEST(ASwungSlide, HasTwoBranchesInEachHalfSwing) {
   }
 }
 
-// From a dead point on, to rounding: where both closures begin they live on, and where they end those of the later half swings are found.
+// From a dead point on, to rounding: where both closures begin they live on, and where they end
+// those of the later half swings are found.
 TEST(ASwungSlide, HasItsLaterBranchesWhenItBeginsAtADeadPoint) {
   const double period = 4 * std::numbers::pi;
   for (const auto& [begin, branches] :
@@ -107,8 +110,9 @@ value = "-30 + 75*cos(2*pi*t)"
   }
 }
 
-// y = 1 + 1.5 sin: at every checkpoint the crank stands at its highest point, where two closures meet. The crank's angle at the dead points, where
-// the rod and the rocker lie in a line, is by circles; two branches begin or end at each.
+// y = 1 + 1.5 sin: at every checkpoint the crank stands at its highest point, where two closures
+// meet. The crank's angle at the dead points, where the rod and the rocker lie in a line, is by
+// circles; two branches begin or end at each.
 TEST(ASwungPoint, HasTheBranchesBetweenItsDeadPointsThoughNoCheckpointShowsOne) {
   const std::string text = R"toml([ground.points]
 O = [0, 0]
@@ -160,7 +164,8 @@ value = "1 + 1.5*sin(4*pi*t)"
   }
 }
 
-// Assembled within a thousandth of a second of t = 0.4; the law bends there too sharply for complex closures to be followed.
+// Assembled within a thousandth of a second of t = 0.4; the law bends there too sharply for complex
+// closures to be followed.
 TEST(ASharplyBentSlide, HasTheBranchesThatNoCheckpointShows) {
   const MotionResult motion = motion_for_a_second(
       test::slider_crank_links(1, 1, 0) +

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where does a linkage get from one pose when a hand moves it? Its curve of poses by arc length, no driver, no branch, no event.
+// Where does a linkage get from one pose when a hand moves it? Its curve of poses by arc length, no
+// driver, no branch, no event.
 //
-// The judge of circuits: it knows Phi without its drivers alone. Steps of fixed length along the null vector of Phi_q, lengths
-// beside the mechanism's, Newton's method back to the curve, until the curve closes. Extremes: of parabolas through three poses.
+// The judge of circuits: it knows Phi without its drivers alone. Steps of fixed length along the
+// null vector of Phi_q, lengths beside the mechanism's, Newton's method back to the curve, until
+// the curve closes. Extremes: of parabolas through three poses.
 #pragma once
 
 #include <Eigen/Core>
@@ -76,7 +78,8 @@ class CircuitTracer {
     }
   }
 
-  /// In coordinates beside the weights, of unit length. Phi_q^T has one column less than rows: the last column of its Q.
+  /// In coordinates beside the weights, of unit length. Phi_q^T has one column less than rows: the
+  /// last column of its Q.
   Eigen::VectorXd null_vector(const Eigen::VectorXd& q) const {
     const Eigen::MatrixXd J = joints_.jacobian(q, 0) * weights_.asDiagonal();
     return PivotedQr<double>(J.transpose()).last_columns_of_Q(1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do paths in a hundred digits and more lead to roots that double-double cannot part, and not to a multiple one?
+// Do paths in a hundred digits and more lead to roots that double-double cannot part, and not to a
+// multiple one?
 #include "moivre/multiprecision/multiprecision_tracker.h"
 
 #include <gtest/gtest.h>

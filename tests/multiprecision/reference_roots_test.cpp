@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are the digits right that Newton's method in multiprecision gives, and does it refuse those that nobody can give?
+// Are the digits right that Newton's method in multiprecision gives, and does it refuse those that
+// nobody can give?
 #include "moivre/multiprecision/reference_roots.h"
 
 #include <gtest/gtest.h>
@@ -44,8 +45,8 @@ TEST(ReferenceRoots, GiveAThousandDigitsOfTheSquareRootOfTwo) {
 TEST(ReferenceRoots, ConvergeQuadratically) {
   const auto roots = reference_roots(system_of("1\nx^2 - 2;\n"), {{1.4}}, 1000);
   const std::vector<double>& size = roots[0].corrections_log10;
-  // While no precision is exhausted the exponents double, up to what |F''/2F'| adds; from 70 digits on
-  // each new precision does.
+  // While no precision is exhausted the exponents double, up to what |F''/2F'| adds; from 70 digits
+  // on each new precision does.
   ASSERT_GE(size.size(), 7U);
   for (std::size_t k = 1; k < 6; ++k) EXPECT_LT(size[k], 2 * size[k - 1]) << k;
   EXPECT_LT(size[5], -70);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are the products of inner loops those of std::complex on finite numbers, and does a NaN stay a NaN?
+// Are the products of inner loops those of std::complex on finite numbers, and does a NaN stay a
+// NaN?
 #include "moivre/numeric/complex.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do the forms of some displacements vanish on them and on nothing else, and are the coordinates those of what was combined?
+// Do the forms of some displacements vanish on them and on nothing else, and are the coordinates
+// those of what was combined?
 #include "moivre/numeric/exact_displacement.h"
 
 #include <gtest/gtest.h>
@@ -67,7 +68,8 @@ TEST(ExactDisplacement, AFactorIsTakenOutAndFractionsToo) {
   EXPECT_EQ(rounded(once).q[3], -1.0);
 }
 
-/// A turn about z by a quarter, then a shift by 2 along x: the dual part is half the shift times the turn.
+/// A turn about z by a quarter, then a shift by 2 along x: the dual part is half the shift times
+/// the turn.
 TEST(DualQuaternion, ProductsAreInTheOrderOfTransforms) {
   const DualQuaternion<double> turn{{1, 0, 0, 1}, {}};
   const DualQuaternion<double> shift{{1, 0, 0, 0}, {0, 1, 0, 0}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are all points found whose numbers are near, and does a point's number move no more than the point?
+// Are all points found whose numbers are near, and does a point's number move no more than the
+// point?
 #include "moivre/numeric/near_points.h"
 
 #include <gtest/gtest.h>

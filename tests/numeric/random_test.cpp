@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do random numbers depend on seed, stream and index alone, on all of each, and fill their range evenly?
+// Do random numbers depend on seed, stream and index alone, on all of each, and fill their range
+// evenly?
 #include "moivre/numeric/random.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do the readers keep their laws on every input that the fuzzers kept, the ones that once broke them among these?
+// Do the readers keep their laws on every input that the fuzzers kept, the ones that once broke
+// them among these?
 #include <gtest/gtest.h>
 
 #include <filesystem>

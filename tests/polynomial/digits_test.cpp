@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a number that was rounded told from one that is meant as it stands, and by how much may it be off?
+// Is a number that was rounded told from one that is meant as it stands, and by how much may it be
+// off?
 #include "moivre/polynomial/digits.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is it never proved that a root is not there which is, and nearly always that one is not which is not?
+// Is it never proved that a root is not there which is, and nearly always that one is not which is
+// not?
 #include "moivre/polynomial/exclusion.h"
 
 #include <gtest/gtest.h>

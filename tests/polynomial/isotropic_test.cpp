@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a system in isotropic unknowns the same system, with its errors, and are the pairs those whose squares belong together?
+// Is a system in isotropic unknowns the same system, with its errors, and are the pairs those whose
+// squares belong together?
 #include "moivre/polynomial/isotropic.h"
 
 #include <gtest/gtest.h>

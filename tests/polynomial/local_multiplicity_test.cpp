@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is the multiplicity of a root that is known exactly counted exactly, and is nothing said where nothing is known?
+// Is the multiplicity of a root that is known exactly counted exactly, and is nothing said where
+// nothing is known?
 #include "moivre/polynomial/local_multiplicity.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the local ring of a root that is no fraction tell its multiplicity, and a curve that passes through it?
+// Does the local ring of a root that is no fraction tell its multiplicity, and a curve that passes
+// through it?
 #include "moivre/polynomial/numerical_multiplicity.h"
 
 #include <gtest/gtest.h>

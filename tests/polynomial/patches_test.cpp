@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a patch make a homogeneous system square, with the same roots, and do scaled points not depend on it?
+// Does a patch make a homogeneous system square, with the same roots, and do scaled points not
+// depend on it?
 #include "moivre/polynomial/patches.h"
 
 #include <gtest/gtest.h>
@@ -70,7 +71,8 @@ TEST(Patches, DegreesInAGroupCountItsVariablesOnly) {
   EXPECT_TRUE(is_homogeneous(Polynomial{}, {0}));
 }
 
-// x v = 2 y u and x^2 u = y^2 v: y = 0 or v = 0 leaves no point; with y = v = 1, x = 2u and 4u^3 = 1.
+// x v = 2 y u and x^2 u = y^2 v: y = 0 or v = 0 leaves no point; with y = v = 1, x = 2u and 4u^3 =
+// 1.
 TEST(Patches, NormalizedPointsDoNotDependOnThePatch) {
   const System f = two_planes();
   const double u = std::cbrt(0.25);

@@ -142,7 +142,8 @@ TEST(QuotientRing, LosesNoRootByAPrimeThatASystemWasMadeFor) {
   EXPECT_EQ(roots_of("2\n2305843009213693922*x^2 + y^2 - 3;\nx^2 + y^2 - 1;\n"), 4U);
 }
 
-// Two roots 2e-9 apart on a line on which the linear form that was the same for every system is constant.
+// Two roots 2e-9 apart on a line on which the linear form that was the same for every system is
+// constant.
 TEST(QuotientRing, TellsRootsApartThatALinearFormKnownBeforehandDoesNot) {
   const std::string line =
       "(18012415595241892124*x + 2715516322141056654*y - 67614828396430959642/11)";
@@ -155,7 +156,8 @@ TEST(QuotientRing, TellsRootsApartThatALinearFormKnownBeforehandDoesNot) {
   }
 }
 
-// Beside the line x - y = 5 the first two equations have four simple roots, and the third vanishes at none of them, or at all.
+// Beside the line x - y = 5 the first two equations have four simple roots, and the third vanishes
+// at none of them, or at all.
 TEST(QuotientRing, CountsTheSimpleRootsOfCombinationsAtWhichAllEquationsVanish) {
   const std::string two = "3 2\n(x - y - 5)*(x^2 - 2);\n(x - y - 5)*(y^2 - 3);\n";
   const System square = system_of("2\n(x - y - 5)*(x^2 - 2);\n(x - y - 5)*(y^2 - 3);\n");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are systems read as people write them: divisions, roots of numbers, equations, 2x, comments, Greek names?
+// Are systems read as people write them: divisions, roots of numbers, equations, 2x, comments,
+// Greek names?
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do Bertini's input files give the exact system, and is every kind of fault named with line, column and reason?
+// Do Bertini's input files give the exact system, and is every kind of fault named with line,
+// column and reason?
 #include <gtest/gtest.h>
 
 #include "read_support.h"

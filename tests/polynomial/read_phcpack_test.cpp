@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does PHCpack's text give the exact system, and is every kind of fault named with line, column and reason?
+// Does PHCpack's text give the exact system, and is every kind of fault named with line, column and
+// reason?
 #include <gtest/gtest.h>
 
 #include "moivre/expression/expression.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do n combinations keep the roots of m equations, their regularity and the least degrees, and do slices cut?
+// Do n combinations keep the roots of m equations, their regularity and the least degrees, and do
+// slices cut?
 #include "moivre/polynomial/square_up.h"
 
 #include <gtest/gtest.h>
@@ -92,7 +93,8 @@ TEST(SquareUp, HasTheDegreesOfTheEquationsOfHighestDegree) {
   EXPECT_EQ(degrees(g), (std::vector<std::uint64_t>{3, 5}));
 }
 
-// Two equations of low degree share a factor: the roots on it need the third equation, of high degree, in full.
+// Two equations of low degree share a factor: the roots on it need the third equation, of high
+// degree, in full.
 TEST(SquareUp, KeepsRootsOnAFactorThatTheLowEquationsShare) {
   const Polynomial x = unknown(0);
   const Polynomial y = unknown(1);
@@ -107,7 +109,8 @@ TEST(SquareUp, KeepsRootsOnAFactorThatTheLowEquationsShare) {
   }
 }
 
-// (x - 1)(y - 2) = (x - 1)(y - 3) = 0 hold on all of x = 1; with x (y - 5) the point (1, 5) is left of it.
+// (x - 1)(y - 2) = (x - 1)(y - 3) = 0 hold on all of x = 1; with x (y - 5) the point (1, 5) is left
+// of it.
 TEST(SquareUp, CutsASetThatTwoOfThreeEquationsShare) {
   const Polynomial x = unknown(0);
   const Polynomial y = unknown(1);

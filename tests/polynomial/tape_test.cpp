@@ -154,7 +154,8 @@ TEST(Tape, RefusesRealCoefficientsOfAComplexSystem) {
 }
 
 TEST(Tape, JacobianIsTheLimitOfDifferenceQuotients) {
-  // Central differences: error h^2 / 6 times a third derivative, which is at most 12 * 4 * |terms| / min(|x|, 1)^3.
+  // Central differences: error h^2 / 6 times a third derivative, which is at most 12 * 4 * |terms|
+  // / min(|x|, 1)^3.
   const double h = 1e-4;
   std::mt19937_64 random(1);
   for (std::uint32_t n = 1; n <= 4; ++n) {
@@ -248,7 +249,8 @@ Series product(const Complex& a, const Series& b) {
 }
 
 TEST(Tape, GivesTaylorTermsInPowerSeries) {
-  // F(x + s v), as a polynomial in s, has the Taylor terms of s -> F(x + s v): here F is written out in s exactly.
+  // F(x + s v), as a polynomial in s, has the Taylor terms of s -> F(x + s v): here F is written
+  // out in s exactly.
   for (const Case& c : cases(false)) {
     const std::size_t n = c.f.variables.size();
     const Tape tape = make_tape(c.f);

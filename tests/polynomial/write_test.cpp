@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a system come back from both text formats exactly, whatever its coefficients and its order of variables?
+// Does a system come back from both text formats exactly, whatever its coefficients and its order
+// of variables?
 #include "moivre/polynomial/write.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does every file of problems/polynomials read as its index says, and is the index consistent in itself?
+// Does every file of problems/polynomials read as its index says, and is the index consistent in
+// itself?
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +16,8 @@ namespace {
 
 const std::string kFolder = MOIVRE_SOURCE_DIR "/problems/polynomials";
 
-/// Residual of a known point, relative to the sum of the terms' moduli: a few roundings of its coordinates.
+/// Residual of a known point, relative to the sum of the terms' moduli: a few roundings of its
+/// coordinates.
 constexpr double kKnownPointTolerance = 1e-14;
 
 const std::vector<Problem>& index() {

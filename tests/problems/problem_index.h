@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What does problems/polynomials/index.json say of a system? The index as structs, for tests over every problem.
+// What does problems/polynomials/index.json say of a system? The index as structs, for tests over
+// every problem.
 //
 // The field "about" at the head of the index says what each count means. Include it with
 // <index folder> = MOIVRE_SOURCE_DIR "/problems/polynomials".

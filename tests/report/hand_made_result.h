@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A result of solve() made by hand: one real root, one double root, one failed path, one path at infinity.
+// A result of solve() made by hand: one real root, one double root, one failed path, one path at
+// infinity.
 #pragma once
 
 #include "moivre/solver/solve.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a report the same whether it is written piece by piece or as one tree, and is so little of it held?
+// Is a report the same whether it is written piece by piece or as one tree, and is so little of it
+// held?
 #include "moivre/report/json_writer.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the JSON of a solve say everything, under the names of the contract, and nothing that JSON cannot say?
+// Does the JSON of a solve say everything, under the names of the contract, and nothing that JSON
+// cannot say?
 #include <gtest/gtest.h>
 
 #include <limits>

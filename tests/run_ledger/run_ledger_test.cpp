@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a ledger tell again what it was told, to the last bit, and nothing else, whatever has become of its file?
+// Does a ledger tell again what it was told, to the last bit, and nothing else, whatever has become
+// of its file?
 #include "moivre/run_ledger/run_ledger.h"
 
 #include <gtest/gtest.h>

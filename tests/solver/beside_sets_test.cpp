@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are isolated roots told that lie beside a curve, and clusters that no exact count parts, or is it said that they are not?
+// Are isolated roots told that lie beside a curve, and clusters that no exact count parts, or is it
+// said that they are not?
 #include <gtest/gtest.h>
 
 #include <string>
@@ -92,7 +93,8 @@ TEST(RootBesideACurve, ThatIsSimpleIsFoundOrSaidToBeInDoubt) {
   }
 }
 
-// All paths seem to end where the curve crosses itself. Exact algebra counts one simple root, so all of them go on in more digits.
+// All paths seem to end where the curve crosses itself. Exact algebra counts one simple root, so
+// all of them go on in more digits.
 TEST(RootBesideACurve, ThatIsSimpleIsFoundBesideACrossingOfTheCurve) {
   const std::string node = "((x - 3)*(y - 2) + (x - 3)^3)";
   expect_roots(read("2\n" + node + "*(5*(x - 3) + 2*(y - 2) + " + fraction(9) + "); " + node +
@@ -124,7 +126,8 @@ TEST(RootBesideACurve, WithACoordinateThatIsZeroIsFoundInMoreDigits) {
       2, 1);
 }
 
-// (0, -10000) lies 1e-8 of its size beside an arm of the hyperbola. Circles around two branch points tell a mean that is no root.
+// (0, -10000) lies 1e-8 of its size beside an arm of the hyperbola. Circles around two branch
+// points tell a mean that is no root.
 TEST(RootBesideACurve, ThatGoesToInfinityIsFound) {
   const System f = read("2\n(x*y-1)*(2*x+y+10000); (x*y-1)*(x-y-10000)*(x-y-3);\n");
   expect_roots_or_doubt(f, 2, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12});
@@ -188,7 +191,8 @@ TEST(RootOfCombinations, ThatFailsAnEquationIsRefutedByExactNumbers) {
   }
 }
 
-// y^2 (10^13 y - x) = 0 has (1, 0) twice and (1, 1e-13): told apart by what is exact, not by how near they are.
+// y^2 (10^13 y - x) = 0 has (1, 0) twice and (1, 1e-13): told apart by what is exact, not by how
+// near they are.
 TEST(DoubleRoot, ThatIsKnownExactlyIsParted) {
   for (const char* power : {"13", "16"}) {
     SCOPED_TRACE(power);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is every regular root certified and none that is not, and is a set of roots called complete by proof just where it is proved?
+// Is every regular root certified and none that is not, and is a set of roots called complete by
+// proof just where it is proved?
 #include <gtest/gtest.h>
 
 #include <regex>
@@ -84,7 +85,8 @@ TEST(Certified, AMultipleRootIsNotCertified) {
   EXPECT_FALSE(result.bound);
 }
 
-// The origin counts ten times, and a simple root lies 5e-8 beside it: eleven ends within an endgame's error of each other.
+// The origin counts ten times, and a simple root lies 5e-8 beside it: eleven ends within an
+// endgame's error of each other.
 TEST(Certified, ASimpleRootBesideAMultipleOneIsNotTakenForAPartOfIt) {
   const System f = read(
       "3\n x^2*y - y^2*z - 7*y*z^2 + x*z + 5903*y*z;\n"
@@ -102,7 +104,8 @@ TEST(Certified, ASimpleRootBesideAMultipleOneIsNotTakenForAPartOfIt) {
   }
 }
 
-// Five sheets of a cycle end at the origin, on a line of roots, and the sixth at a simple root 9e-8 beside it. Their mean is no root.
+// Five sheets of a cycle end at the origin, on a line of roots, and the sixth at a simple root 9e-8
+// beside it. Their mean is no root.
 TEST(Certified, ASimpleRootBesideASetIsNotTakenForAPartOfIt) {
   const System f = read(
       "4\n -4102*x^2*w - x*y*z - 6*x*y*w - 5*x*z^2 - 9*x*z*w + 7136*y^3 - 7778*y*w^2 + x*y + "
@@ -129,7 +132,8 @@ TEST(Certified, ExactMultiplicitiesCountTowardsABound) {
   EXPECT_EQ(result.bound->value, result.paths.finite);
 }
 
-// Coefficients of twelve digits: what was at infinity before they were rounded lies at 1e11 to 1e13.
+// Coefficients of twelve digits: what was at infinity before they were rounded lies at 1e11 to
+// 1e13.
 TEST(Certified, EndsBeyondTheDigitsOfAFileAreToldAsSuch) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const SolveResult result =
@@ -144,8 +148,8 @@ TEST(Certified, EndsBeyondTheDigitsOfAFileAreToldAsSuch) {
   }
 }
 
-// Eliminating z puts 2.00000000003 into nearly every coefficient. Its errors alone would hide that the four roots, of size
-// 1e6, are finite; but they cancel in the square of (x z + 6).
+// Eliminating z puts 2.00000000003 into nearly every coefficient. Its errors alone would hide that
+// the four roots, of size 1e6, are finite; but they cancel in the square of (x z + 6).
 TEST(Certified, RootsThatNoErrorOfTheFilesNumbersMovesToInfinityAreFinite) {
   const System f = read(
       "3\n x^2*z^2 + 12*x*z + 35.99999999992;\n 2*x - 9*z - 2.00000000003;\n"
@@ -153,7 +157,8 @@ TEST(Certified, RootsThatNoErrorOfTheFilesNumbersMovesToInfinityAreFinite) {
   expect_proved(f, 1, 5, 4, "multihomogeneous number");
 }
 
-// (9 x^2 - 5 z + 4)^2 = 2e-12, known to 0.5e-12, keeps four roots from infinity. Their face vanishes exactly, whatever the digits are.
+// (9 x^2 - 5 z + 4)^2 = 2e-12, known to 0.5e-12, keeps four roots from infinity. Their face
+// vanishes exactly, whatever the digits are.
 TEST(Certified, ARootOfAFaceIsAtInfinityOnlyWhereTheFilesNumbersMayMoveTheEndsThere) {
   const System f = read(
       "3\n 81*x^4 - 90*x^2*z + 72*x^2 + 25*z^2 - 40*z + 15.999999999998;\n"
@@ -166,9 +171,10 @@ TEST(Certified, ARootOfAFaceIsAtInfinityOnlyWhereTheFilesNumbersMayMoveTheEndsTh
   }
 }
 
-// A^2 = 1e-10 and A L = -9 have roots of size 1e6, to which four sheets go that look as if they went to infinity, to 1e-11 of the squares
-// of x_0. That is less than the file's relative error of 5e-11, but no number of the file changes these squares by as much. In double alone
-// these ends are not known.
+// A^2 = 1e-10 and A L = -9 have roots of size 1e6, to which four sheets go that look as if they
+// went to infinity, to 1e-11 of the squares of x_0. That is less than the file's relative error of
+// 5e-11, but no number of the file changes these squares by as much. In double alone these ends are
+// not known.
 TEST(Certified, WhatIsLostInTheLargestErrorOfTheFileIsNotAtInfinity) {
   const System f = read(
       "3\n x^2*y^2 - 10*x*y^2*z + 25*y^2*z^2 + 6*x*y*z - 30*y*z^2 + 2*x*y - 10*y*z + 9*z^2 + 6*z + "
@@ -183,7 +189,8 @@ TEST(Certified, WhatIsLostInTheLargestErrorOfTheFileIsNotAtInfinity) {
   EXPECT_FALSE(result.complete);
 }
 
-// (x - 4 z - 1)^3 = -1e-12, and y is 1e4 times larger the nearer x - 4 z is to 1. The digits of the file may make it 5e-13, not 0.
+// (x - 4 z - 1)^3 = -1e-12, and y is 1e4 times larger the nearer x - 4 z is to 1. The digits of the
+// file may make it 5e-13, not 0.
 TEST(Certified, ARootOfAFaceNeedsErrorsInTheEquationsThatDoNotVanish) {
   const System f = read(
       "3\n x^3 - 12*x^2*z + 48*x*z^2 - 64*z^3 - 3*x^2 + 24*x*z - 48*z^2 + 3*x - 12*z - "
@@ -196,7 +203,8 @@ TEST(Certified, ARootOfAFaceNeedsErrorsInTheEquationsThatDoNotVanish) {
   }
 }
 
-// Some ends are beyond 1e11 at the first circle that tells anything, and turn out to be a root of size 4000 and infinity nearer to t = 1.
+// Some ends are beyond 1e11 at the first circle that tells anything, and turn out to be a root of
+// size 4000 and infinity nearer to t = 1.
 TEST(Certified, AnEndThatIsNotToldFromAfarIsLookedAtFromNearer) {
   const System f = read(
       "3\n -x^2*y*z - 8*x*y^2*z + x^2*y - 4466*x*y*z + 7*x^2 + x;\n"
@@ -218,7 +226,8 @@ TEST(Certified, ThreeRootsThatNewtonsMethodTellsApartAreProvedWithMoreDigits) {
   expect_proved(f, 1, 3, 20, "total degree");
 }
 
-// x - 2 y = 5 +- 9e-6 i: their mean is told as a double root known to 8e-9, and neither lies so near to it.
+// x - 2 y = 5 +- 9e-6 i: their mean is told as a double root known to 8e-9, and neither lies so
+// near to it.
 TEST(Certified, ARootThatNoPathHoldsRefutesADoubleOneHoweverWellThatSeemsKnown) {
   const System f = read(
       "2\n -21*x^6 + 252*x^5*y - 1260*x^4*y^2 + 3360*x^3*y^3 - 5040*x^2*y^4 + 4032*x*y^5 - 1344*y^6"
@@ -233,7 +242,8 @@ TEST(Certified, ARootThatNoPathHoldsRefutesADoubleOneHoweverWellThatSeemsKnown) 
   expect_proved(f, 10, 15, 12, "total degree");
 }
 
-// A pair 7e-7 of its size apart, whose mean has a residual of 3e-17. On circles of 1e-4 its sheets meet as far as double tells.
+// A pair 7e-7 of its size apart, whose mean has a residual of 3e-17. On circles of 1e-4 its sheets
+// meet as far as double tells.
 TEST(Certified, APairWhoseMeanLooksLikeARootIsTwoRoots) {
   const System f = read(
       "2\n 4*x^5 + 40*x^4*y + 160*x^3*y^2 + 320*x^2*y^3 + 320*x*y^4 + 128*y^5 - 7*x^4 - 56*x^3*y"
@@ -305,7 +315,8 @@ TEST(Certified, CombinationsProveNothingOfTheFilesEquations) {
   for (const Solution& s : result.solutions) EXPECT_FALSE(s.certified);
 }
 
-// Two of its eight roots are 8e12 away, in the direction of double roots at infinity: a random system that was told wrongly once.
+// Two of its eight roots are 8e12 away, in the direction of double roots at infinity: a random
+// system that was told wrongly once.
 TEST(Certified, ARootAsFarAsATrillionIsNotTakenForOneAtInfinity) {
   const System f = read(
       "3\n9*x1^2*x3^2+48*x1^2*x3+64*x1^2-54*x1*x3-144*x1+81.000000000009;\n"
@@ -321,7 +332,8 @@ TEST(Certified, ARootAsFarAsATrillionIsNotTakenForOneAtInfinity) {
   }
 }
 
-// The line of roots x = 0 passes a simple root at 2e-8 of its size: nearer than an end on the line is known.
+// The line of roots x = 0 passes a simple root at 2e-8 of its size: nearer than an end on the line
+// is known.
 TEST(Certified, AnEndOnASetIsNotCountedToASimpleRootBesideIt) {
   const System f = read(
       "2\n -6980*x^3*y^2 - 5662*x;\n"
@@ -336,7 +348,8 @@ TEST(Certified, AnEndOnASetIsNotCountedToASimpleRootBesideIt) {
   }
 }
 
-// Of its sixteen roots two are of size 1e31: in double-double they are regular ends whose x_0 is 0 as far as any digit tells.
+// Of its sixteen roots two are of size 1e31: in double-double they are regular ends whose x_0 is 0
+// as far as any digit tells.
 TEST(Certified, ARegularEndThatNoDigitPartsFromInfinityIsNotCalledInfinite) {
   const System f = read(
       "5\n 6*x*y - 200000*x - 900000000*y*z - 70000000*y*u + 600000000;\n"
@@ -355,7 +368,8 @@ TEST(Certified, ARegularEndThatNoDigitPartsFromInfinityIsNotCalledInfinite) {
   }
 }
 
-// Of its 62 roots one has coordinates of size 1e16 of which two sums are eliminated: one is -247, and 16 digits leave nothing of it.
+// Of its 62 roots one has coordinates of size 1e16 of which two sums are eliminated: one is -247,
+// and 16 digits leave nothing of it.
 TEST(Certified, ARootWhoseEliminatedUnknownsCancelIsFound) {
   const System f = read(
       "8\n -627*x1*x2-9*x1*x3-2877*x2*x3+x5*x7-900*x6*x7-7*x1+x2-5005*x3-2*x4+7830*x5-x8+8;\n"
@@ -369,7 +383,8 @@ TEST(Certified, ARootWhoseEliminatedUnknownsCancelIsFound) {
   expect_proved(f, 1, 2, 62, "dimension of the quotient ring");
 }
 
-// Of its 56 roots one has coordinates of size 1e11 whose roundings alone move the eliminated unknown, -6.15, by 3e-5.
+// Of its 56 roots one has coordinates of size 1e11 whose roundings alone move the eliminated
+// unknown, -6.15, by 3e-5.
 TEST(Certified, ARootIsKnownByItsKeptUnknowns) {
   const System f = read(
       "7\n 8417*x2*x7+x3*x5+5*x3*x6-7*x4*x6+2562*x1-x6+1;\n"
@@ -528,8 +543,9 @@ TEST(Certified, FormsThatVanishOnAnAxisHaveNoIsolatedRoot) {
   }
 }
 
-// Moved, the lines are no axes. 28 of the 32 paths end at (1, ..., 1), in whole cycles, but its local ring has more than 28 dimensions: it
-// is no isolated root, though random planes beside it miss the lines. The other paths end on these.
+// Moved, the lines are no axes. 28 of the 32 paths end at (1, ..., 1), in whole cycles, but its
+// local ring has more than 28 dimensions: it is no isolated root, though random planes beside it
+// miss the lines. The other paths end on these.
 TEST(Certified, ARootWithMorePartsThanPathsIsNotIsolated) {
   const System f = read(std::regex_replace(kFormsOnTwoLines, std::regex("x([1-5])"), "(x$1 - 1)"));
   for (const SolveResult& result : solved_by_lanes(f, 1, 3)) {
@@ -540,8 +556,8 @@ TEST(Certified, ARootWithMorePartsThanPathsIsNotIsolated) {
   }
 }
 
-// Order 2 on lines through (0, +-sqrt(3), 0): no fractions are these roots, so that only numerical ranks refute the six paths that end at
-// one of them in whole cycles.
+// Order 2 on lines through (0, +-sqrt(3), 0): no fractions are these roots, so that only numerical
+// ranks refute the six paths that end at one of them in whole cycles.
 TEST(Certified, AnIrrationalRootOnACurveIsNotIsolated) {
   const System f = read(
       "3\n26*x2^4-82*x1*x2^2+44*x2^2*x3-111*x1^2-91*x1*x3-156*x2^2+28*x3^2+246*x1-132*x3+234;\n"
@@ -555,8 +571,8 @@ TEST(Certified, AnIrrationalRootOnACurveIsNotIsolated) {
   }
 }
 
-// Five forms of degree 2 in a^2 - 2, b - a, ..., e - a without a common zero but 0: 2^5 each at a = +-sqrt(2). The ring stands still behind
-// 462 monomials only, too many to be looked at.
+// Five forms of degree 2 in a^2 - 2, b - a, ..., e - a without a common zero but 0: 2^5 each at a =
+// +-sqrt(2). The ring stands still behind 462 monomials only, too many to be looked at.
 TEST(Certified, AnIrrationalRootOfHighMultiplicityIsToldAsBefore) {
   const System f = read(
       "5\n(a^2 - 2)^2 + (b - a)*(c - a);\n(b - a)^2 + (c - a)*(d - a);\n(c - a)^2 + (d - a)*(e - "

@@ -67,7 +67,8 @@ TEST_F(Contradiction, IsToldWherePathsEndOnACurveThatIsNotThere) {
   EXPECT_EQ(of(result, 4), "exact algebra tells that no root lies on a curve, paths end as on one");
 }
 
-// Four paths lead to 0, which is exact: where all were told to be at infinity no bound proves that nothing is missing.
+// Four paths lead to 0, which is exact: where all were told to be at infinity no bound proves that
+// nothing is missing.
 TEST(ExactRootsWithoutPaths, AreNoProofButAContradiction) {
   const auto tracker = make_cvode_tracker();
   const std::atomic<bool> stop{false};
@@ -128,8 +129,8 @@ TEST(CountedRoots, AreDoubleWhereAlgebraCountsTheDifferentOnes) {
   }
 }
 
-// 12 simple roots, and three of multiplicity 3 with irrational coordinates: 21 in all. Eleven paths more lead to infinity, some of them
-// too slowly to be told.
+// 12 simple roots, and three of multiplicity 3 with irrational coordinates: 21 in all. Eleven paths
+// more lead to infinity, some of them too slowly to be told.
 TEST(CountedRoots, EndTheDoubtsAboutOtherPaths) {
   const System f = read(
       "2\n -8*(8*y-6*x-3*x^2+1)*(3*y+2*x+7*x*y-4)+3*(8*y-6*x-3*x^2+1)*(3*y+2*x+7*x*y-4)^2"
@@ -160,7 +161,8 @@ void expect_proved_from_total_degree(const System& f, std::size_t roots) {
   }
 }
 
-// With seed 5 a path jumps to a sheet at infinity beside it, 1e-12 before its end at a root of size 2e9 and condition 1e13.
+// With seed 5 a path jumps to a sheet at infinity beside it, 1e-12 before its end at a root of size
+// 2e9 and condition 1e13.
 TEST(CountedRoots, AreLookedForOnPathsThatAreSaidToEndAtInfinity) {
   const System f = read(
       "3\n400000*x1^2*x3-40000000*x1*x2^2-90*x1^2-4000000*x1*x2-500000000*x2^2-90*x2-200;\n"
@@ -177,7 +179,8 @@ TEST(CountedRoots, LeaveNoSetBesideThem) {
   expect_proved_from_total_degree(f, 4);
 }
 
-// Of size 1e39: x_0 is lost in the digits of double-double, and the other ten doubtful paths go to infinity.
+// Of size 1e39: x_0 is lost in the digits of double-double, and the other ten doubtful paths go to
+// infinity.
 TEST(CountedRoots, AreLookedForInMoreDigitsAsLongAsOneIsMissing) {
   const System f = read(
       "5\n8*x2^2-x2*x5+x3*x4-x3*x5+x1+3*x5-6;\n-x1^2+x2-2506*x3-9*x4+1;\n"
@@ -207,7 +210,8 @@ TEST(CountedRoots, AreLookedForAmongEndsAtInfinityInMoreDigits) {
   }
 }
 
-// Of size 9e7, and its path meets one to infinity 1e-16 before t = 1: two sheets with one mean, told as a double root.
+// Of size 9e7, and its path meets one to infinity 1e-16 before t = 1: two sheets with one mean,
+// told as a double root.
 TEST(CountedRoots, AreLookedForAmongMultipleEndsInMoreDigits) {
   const System f = read(
       "2\n500000*x^2*y - 2000000*x*y^2 + 600000*x*y - 30*y + 70000;\n"
@@ -222,7 +226,8 @@ TEST(CountedRoots, AreLookedForAmongMultipleEndsInMoreDigits) {
   }
 }
 
-// p = 2^61 - 31 is prime: modulo p the first has a double root at 0, the second one beside two others.
+// p = 2^61 - 31 is prime: modulo p the first has a double root at 0, the second one beside two
+// others.
 TEST(CountedRoots, AreNotThoseModuloAPrimeThatTheSystemWasMadeFor) {
   const auto tracker = make_lane_tracker();
   const SolveResult large = solve(read("1\n x^2 - 2305843009213693921;\n"), *tracker);
@@ -254,7 +259,8 @@ TEST(WaitingPaths, WalkNoCircleWhereTheOthersMeetABound) {
   }
 }
 
-// A root of the file to the letter that its digits do not determine is none: only of exact numbers a proof is enough.
+// A root of the file to the letter that its digits do not determine is none: only of exact numbers
+// a proof is enough.
 TEST(WaitingPaths, AreThoseWhoseProofTheDigitsOfTheFileDoNotBear) {
   const std::atomic<bool> stop{false};
   const auto lanes = make_lane_tracker();
@@ -300,8 +306,9 @@ TEST(WaitingPaths, GoOnWhereNoBoundIsMet) {
   EXPECT_EQ(result.solutions.size(), 4U);
 }
 
-// 16 roots and no bound that is less than 288: the others are taken up where they stood, and end where they do without a wait. Roots of
-// the file to the letter that its digits do not tell from infinity are no roots.
+// 16 roots and no bound that is less than 288: the others are taken up where they stood, and end
+// where they do without a wait. Roots of the file to the letter that its digits do not tell from
+// infinity are no roots.
 TEST(WaitingPaths, EndWhereTheyDoWithoutAWait) {
   constexpr std::size_t kStride = 8;  // 128 of the 1024 paths, half a second
   const System f = system_of(problem("ipp2"));

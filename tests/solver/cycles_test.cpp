@@ -78,7 +78,8 @@ TEST(Cycles, AreWalkedOnceForAllTheirSheets) {
           << path;
       steps_alone += alone.end.count.accepted;
     }
-    // 0.85 to 0.87, the steps of the first, brief following among them; alone each sheet walks its own circle.
+    // 0.85 to 0.87, the steps of the first, brief following among them; alone each sheet walks its
+    // own circle.
     EXPECT_LT(10 * together.work.accepted, 9 * steps_alone) << "seed " << seed;
   }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are roots given the digits that were asked for, and is what cannot have them refused by the library itself?
+// Are roots given the digits that were asked for, and is what cannot have them refused by the
+// library itself?
 #include "moivre/solver/digits.h"
 
 #include <gtest/gtest.h>

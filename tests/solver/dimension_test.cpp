@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a set of roots told from an isolated root: smooth, multiple, crossing itself; and the root from a set nearby?
+// Is a set of roots told from an isolated root: smooth, multiple, crossing itself; and the root
+// from a set nearby?
 #include "dimension.h"
 
 #include <gtest/gtest.h>
@@ -61,7 +62,8 @@ TEST(DimensionTest, SeesASetWhoseCoefficientsWereRounded) {
   expect_on_set(f, {1, 2}, true);
 }
 
-// On the first, which no digits take away, F vanishes; on the second it is as small as the coefficients' rounding.
+// On the first, which no digits take away, F vanishes; on the second it is as small as the
+// coefficients' rounding.
 TEST(DimensionTest, TellsASetFromOneThatIsThereAsRoundedOnly) {
   const std::vector<double> unit{1, 1};
   const RefinerProgram circle(read("2\n x^2 + y^2 - 5;\n (x^2 + y^2 - 5)*(x + 7);\n"), unit);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the drift tell a corrected method from an uncorrected one, and does it end where solve() ends?
+// Does the drift tell a corrected method from an uncorrected one, and does it end where solve()
+// ends?
 #include "moivre/solver/drift.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does every problem of the index give the counts that are proved for it, over several seeds, and is every account closed?
+// Does every problem of the index give the counts that are proved for it, over several seeds, and
+// is every account closed?
 #include <gtest/gtest.h>
 
 #include "problem_set.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are roots that exact algebra can count told with their multiplicity, however badly their paths end?
+// Are roots that exact algebra can count told with their multiplicity, however badly their paths
+// end?
 #include <gtest/gtest.h>
 
 #include "problem_set.h"
@@ -34,7 +35,8 @@ TEST(ExactRoots, ThatNoDoubleHolds) {
   expect_one_root("2\n (7*x - 2*y)^6;\n y - 3/7;\n", {6.0 / 49, 3.0 / 7}, 6);
 }
 
-// 17 times 0, twice a point of denominators 410758 and 6962, and four simple roots: the mixed volume.
+// 17 times 0, twice a point of denominators 410758 and 6962, and four simple roots: the mixed
+// volume.
 TEST(ExactRoots, OfLongDenominators) {
   const System f = read(
       "3\n -3156*x^2*y + 118*x*z^2 + y^3 + 5*y^2*z - 9*x^2;\n"
@@ -47,7 +49,8 @@ TEST(ExactRoots, OfLongDenominators) {
   }
 }
 
-// Ten roots 1e-6 around 1: in double-double their paths tell one root of multiplicity 10 there, but 1 is no root.
+// Ten roots 1e-6 around 1: in double-double their paths tell one root of multiplicity 10 there, but
+// 1 is no root.
 TEST(ExactRoots, AreNotMadeOfPointsThatAreNearRoots) {
   SolveOptions options = with_seed(1);
   options.precision = Precision::double_precision;

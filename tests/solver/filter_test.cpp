@@ -25,7 +25,8 @@ std::uint64_t sum_of(const SolveResult& result) {
 }
 
 TEST(Denominators, RootsOnThemAreDroppedAndCounted) {
-  // (x^2 - 1)/(x - 1) = y, x*y = 6: x = 1 makes the denominator zero, the roots are 2, 3 and -3, -2.
+  // (x^2 - 1)/(x - 1) = y, x*y = 6: x = 1 makes the denominator zero, the roots are 2, 3 and -3,
+  // -2.
   const SolveResult result = solved("(x^2 - 1)/(x - 1) - y; x*y - 6;");
   EXPECT_TRUE(result.complete) << result.message;
   ASSERT_EQ(result.solutions.size(), 2U);
@@ -76,7 +77,8 @@ TEST(PointsOfSets, AreToldWithThePathsThatEndThere) {
 }
 
 TEST(PointsOfSets, AreThoseOfTheFileAndNotOfItsCombinations) {
-  // A fourth equation that two points of the circle meet: the combinations have curves that the file has not.
+  // A fourth equation that two points of the circle meet: the combinations have curves that the
+  // file has not.
   const SolveResult result = solved(std::string(kCircleAndPoint) + " (x + 4)*(y - z);");
   for (const Solution& point : result.on_sets) {
     EXPECT_LT(std::abs((point.x[0] + 4.0) * (point.x[1] - point.x[2])), 1e-6);

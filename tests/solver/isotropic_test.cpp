@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are the roots of a power flow the same in isotropic unknowns, which have a quarter of the paths, and the real ones real?
+// Are the roots of a power flow the same in isotropic unknowns, which have a quarter of the paths,
+// and the real ones real?
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,7 +13,8 @@
 namespace moivre::test {
 namespace {
 
-/// Voltages e + i f of five nodes that draw given powers, each joined to each and to a source of 1 + 0i.
+/// Voltages e + i f of five nodes that draw given powers, each joined to each and to a source of 1
+/// + 0i.
 System power_flow() {
   constexpr int kNodes = 5;
   std::string text = std::to_string(2 * kNodes) + "\n";

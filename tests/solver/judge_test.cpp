@@ -180,7 +180,8 @@ TEST_F(JudgedPaths, AreJudgedTheSameTwice) {
   EXPECT_EQ(once.in_doubt, twice.in_doubt);
 }
 
-// Four roots with their multiplicities are all that a quartic has: what came back to a shared sheet does not matter any more.
+// Four roots with their multiplicities are all that a quartic has: what came back to a shared sheet
+// does not matter any more.
 TEST_F(JudgedPaths, HaveNoOpenSheetsWhereACountSettlesTheRun) {
   simple(0, 2);
   simple(1, 3);
@@ -193,7 +194,8 @@ TEST_F(JudgedPaths, HaveNoOpenSheetsWhereACountSettlesTheRun) {
   EXPECT_TRUE(judge(run).open.empty());
 }
 
-/// The words of a file between `begin` at the start of a line and the next `end`; lines without are left out.
+/// The words of a file between `begin` at the start of a line and the next `end`; lines without are
+/// left out.
 std::vector<std::string> words_between(const std::string& begin, const std::string& end,
                                        const std::string& file) {
   std::vector<std::string> words;

@@ -169,7 +169,8 @@ TEST(LostPath, IsTrackedAgainAtTheNextCare) {
   EXPECT_EQ(result.solutions.size(), p.roots.distinct);
 }
 
-// x^3 + x^2 + 2 = 0, y = -1 - 1/x: one real root, a conjugate pair, and a simple end at (0 : 1 : 0).
+// x^3 + x^2 + 2 = 0, y = -1 - 1/x: one real root, a conjugate pair, and a simple end at (0 : 1 :
+// 0).
 const char* const kPairAndInfinity = "2\n x*y + x + 1;\n x*y - x^2 + 2*y + 3;\n";
 
 SolveOptions from_the_degrees(std::uint64_t seed) {
@@ -189,7 +190,8 @@ std::uint64_t path_to_a_root_that_is_not_real(const System& f, std::uint64_t see
   throw std::invalid_argument("every root is real");
 }
 
-/// Path `victim` arrives at the end at infinity, at cares up to `greatest_care`: no failure shows, no root is doubled.
+/// Path `victim` arrives at the end at infinity, at cares up to `greatest_care`: no failure shows,
+/// no root is doubled.
 TamperedTracker with_a_path_to_infinity(std::uint64_t victim, int greatest_care) {
   return TamperedTracker([=](const Departure& departure, Arrival& arrival) {
     if (departure.path != victim || departure.care > greatest_care || !is_whole_way(departure)) {
@@ -217,7 +219,8 @@ TEST(ArrivalAtInfinity, IsNotBelievedWhereNoFaceConfirmsIt) {
   }
 }
 
-/// Sends path `victim` out from where path `other` sets out, at cares up to `greatest_care`: a jump right at the start.
+/// Sends path `victim` out from where path `other` sets out, at cares up to `greatest_care`: a jump
+/// right at the start.
 class MisledTracker : public Tracker {
  public:
   MisledTracker(std::uint64_t victim, Point start, int greatest_care)
@@ -260,7 +263,8 @@ class MisledTracker : public Tracker {
   int greatest_care_;
 };
 
-// (x + y - 1) (x^2 + x y - 3) = (x + y - 1) (x y + x + y - 2) = 0: a line, three isolated roots, ends at infinity.
+// (x + y - 1) (x^2 + x y - 3) = (x + y - 1) (x y + x + y - 2) = 0: a line, three isolated roots,
+// ends at infinity.
 const char* const kLineAndRoots =
     "2\n (x + y - 1)*(x^2 + x*y - 3);\n (x + y - 1)*(x*y + x + y - 2);\n";
 

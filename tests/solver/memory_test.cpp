@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a solve survive an allocation that fails, wherever that is? With what is finished, or std::bad_alloc; and paths that cannot be kept are
-// refused beforehand.
+// Does a solve survive an allocation that fails, wherever that is? With what is finished, or
+// std::bad_alloc; and paths that cannot be kept are refused beforehand.
 #include <gtest/gtest.h>
 
 #include <atomic>

@@ -9,8 +9,9 @@
 namespace moivre::test {
 namespace {
 
-/// Two coupled oscillators: nine roots, of sizes from 1e-16 to 1e7; 72 of 81 paths go to infinity, very slowly, where the two forms
-/// x^2 + y^2 all but vanish together. a: the frequency of the drive.
+/// Two coupled oscillators: nine roots, of sizes from 1e-16 to 1e7; 72 of 81 paths go to infinity,
+/// very slowly, where the two forms x^2 + y^2 all but vanish together. a: the frequency of the
+/// drive.
 System oscillators(const std::string& a) {
   std::string text = R"(4
 4.5*x1 - (9/2)*x1*A^2 + 1.5*x1*x3^2 + 1.5*x1*x4^2 + 0.00015*x2*A + 19.5*x2^2*x1 + 0.00375*x2^3*A + 0.15*x4^2*x3 + 0.00375*x2*x1^2*A + 19.5*x1^3 - 0.05*x3^3;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a root said to be multiple only where exact algebra says so, and are roots nearer than digits part told as what is known of them?
+// Is a root said to be multiple only where exact algebra says so, and are roots nearer than digits
+// part told as what is known of them?
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -75,7 +76,8 @@ TEST(NearRoots, ThatNothingPartsAreClustersAndNotMultiple) {
   }
 }
 
-// A double root that is exact, one at an irrational point that algebra counts, and one of one unknown beyond that algebra.
+// A double root that is exact, one at an irrational point that algebra counts, and one of one
+// unknown beyond that algebra.
 TEST(MultipleRoots, AreToldAsSuchWhereExactAlgebraCan) {
   for (const char* text :
        {"2\n(x - 1)^2*(x + 2);\ny - x^2 + y^2;\n", "2\n(x^2 - 2)^2*(x + 1) + 0*y;\ny^2 - x - 7;\n",

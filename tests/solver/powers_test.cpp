@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Equations that are powers: roots, multiplicities and counts are those of the system as given, whatever was followed.
+// Equations that are powers: roots, multiplicities and counts are those of the system as given,
+// whatever was followed.
 #include <gtest/gtest.h>
 
 #include "moivre/solver/trace.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a path climb to the precision that it needs, no other path with it, and does the result say so?
+// Does a path climb to the precision that it needs, no other path with it, and does the result say
+// so?
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -66,7 +67,8 @@ std::vector<PathStatus> ends_of_kin1(const std::vector<std::uint64_t>& paths,
   return ends;
 }
 
-// They grow like r^(-7/4) with r = 1 - t. Where that can be seen, from r = 1e-5 on, J's condition has passed 1e16.
+// They grow like r^(-7/4) with r = 1 - t. Where that can be seen, from r = 1e-5 on, J's condition
+// has passed 1e16.
 TEST(Precision, TellsInfinityWhereTheJacobianInDoubleSaysNothing) {
   const std::vector<std::uint64_t> paths{14, 43, 99};
   const std::vector<PathStatus> in_double = ends_of_kin1(paths, *make_cvode_tracker(), false);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do the coordinates of a path and those of the system as given lead to each other, through elimination and scaling?
+// Do the coordinates of a path and those of the system as given lead to each other, through
+// elimination and scaling?
 #include "prepare.h"
 
 #include <gtest/gtest.h>

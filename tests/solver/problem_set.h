@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do the tests of solve() share? Problems of the index by name, solving with CVODE, and the law every result keeps.
+// What do the tests of solve() share? Problems of the index by name, solving with CVODE, and the
+// law every result keeps.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -31,8 +32,9 @@ inline const problems::Problem& problem(const std::string& name) {
   throw std::invalid_argument("no problem " + name);
 }
 
-/// Not every path is decided for every seed: a root of multiplicity 10 at x = 1 is close to a start root for some. Such
-/// a run is to say so. And of ipp2 some of 272 ends at infinity have a face with a singular root that double does not show.
+/// Not every path is decided for every seed: a root of multiplicity 10 at x = 1 is close to a start
+/// root for some. Such a run is to say so. And of ipp2 some of 272 ends at infinity have a face
+/// with a singular root that double does not show.
 inline bool is_beyond_reach(const problems::Problem& p) {
   return p.name == "tenfold" || p.name == "ipp2" ||
          (p.name == "wilkinson-20" && !proves_beyond_double());
@@ -61,7 +63,8 @@ inline std::uint64_t sum_of_multiplicities(const SolveResult& result) {
   return sum;
 }
 
-/// tracked = finite + at_infinity + failed + not_needed, finite = sum of multiplicities + ends on sets, sum(winding) = multiplicity.
+/// tracked = finite + at_infinity + failed + not_needed, finite = sum of multiplicities + ends on
+/// sets, sum(winding) = multiplicity.
 inline void expect_conservation(const SolveResult& result) {
   const PathCounts& paths = result.paths;
   EXPECT_EQ(paths.tracked, paths.finite + paths.at_infinity + paths.failed + paths.not_needed);
@@ -96,7 +99,8 @@ inline std::uint64_t real_count(const SolveResult& result) {
                                                   [](const Solution& s) { return s.real; }));
 }
 
-/// The counts that the index proves or verified; paths to infinity where no linear equation was used up.
+/// The counts that the index proves or verified; paths to infinity where no linear equation was
+/// used up.
 inline void expect_counts_of_index(const SolveResult& result, const problems::Problem& p) {
   EXPECT_TRUE(result.complete) << result.message;
   EXPECT_EQ(result.solutions.size(), p.roots.distinct);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does solve() answer degenerate, refused, interrupted and ordinary systems as its header says, whatever the threads?
+// Does solve() answer degenerate, refused, interrupted and ordinary systems as its header says,
+// whatever the threads?
 #include "moivre/solver/solve.h"
 
 #include <gtest/gtest.h>
@@ -160,7 +161,8 @@ TEST(Solve, CountsPathsThatEndOnACurveOfRoots) {
 }
 
 TEST(Solve, TellsNoIsolatedRootWhereCurvesCross) {
-  // Every root of cyclic-4 lies on its two curves; at eight points more paths end than one to a point.
+  // Every root of cyclic-4 lies on its two curves; at eight points more paths end than one to a
+  // point.
   for (const std::uint64_t seed : {15U, 27U, 41U, 49U, 59U, 64U, 79U, 91U}) {
     const SolveResult result = solve_with_cvode(system_of(problem("cyclic-4")), with_seed(seed));
     expect_conservation(result);

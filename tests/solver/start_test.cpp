@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does every start lead to the same roots, and does the automatic choice take the one with few paths?
+// Does every start lead to the same roots, and does the automatic choice take the one with few
+// paths?
 #include <gtest/gtest.h>
 
 #include "moivre/solver/trace.h"
@@ -47,7 +48,8 @@ TEST(Start, AutomaticTakesTheMixedVolumeWhereTheDegreesPromiseMore) {
   EXPECT_EQ(katsura.start.counts.mixed_volume.paths, katsura.start.counts.total_degree.paths);
 }
 
-// The root at (1190, -0.0138) goes the way of 23 paths to one point at infinity until 1 - t is 1e-30.
+// The root at (1190, -0.0138) goes the way of 23 paths to one point at infinity until 1 - t is
+// 1e-30.
 TEST(Start, FindsALargeRootThatGrowthAloneCallsInfinite) {
   const System f = read("2\n-2*x^2*y^3+7*x*y^2+y-9;\nx^2*y^3+8*x*y^2+7*y+2;\n");
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {

@@ -51,7 +51,8 @@ std::vector<std::uint64_t> exact_turns(const BinomialSystem& s, std::uint64_t nu
   return turns;
 }
 
-/// x^{v_i} = beta_i, the angle to within what n cut numbers of 64 digits times the entries of V can do.
+/// x^{v_i} = beta_i, the angle to within what n cut numbers of 64 digits times the entries of V can
+/// do.
 void expect_root(const Matrix& v, const std::vector<Complex>& beta, const BinomialSystem& s,
                  std::uint64_t number) {
   const std::size_t n = beta.size();
@@ -132,7 +133,8 @@ TEST(Binomial, DiagonalMatricesHaveTheProductOfTheEntries) {
   expect_all_roots({}, {}, 1);
 }
 
-/// L diag(d) U with unit triangular L, U of large entries: det V = the product of d, V as ill-shaped as can be.
+/// L diag(d) U with unit triangular L, U of large entries: det V = the product of d, V as
+/// ill-shaped as can be.
 Matrix ill_shaped(const std::vector<std::int64_t>& d, std::int64_t range, std::uint64_t index) {
   const std::size_t n = d.size();
   Matrix lower(n * n, 0), upper(n * n, 0), v(n * n, 0);

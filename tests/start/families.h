@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which supports do the tests of the polyhedral start use? Families whose mixed volumes are published, as supports.
+// Which supports do the tests of the polyhedral start use? Families whose mixed volumes are
+// published, as supports.
 #pragma once
 
 #include <algorithm>
@@ -60,7 +61,8 @@ inline std::vector<Support> eco(std::size_t n) {
   return supports;
 }
 
-/// n + 1 unknowns u_0, ..., u_n: sum_l u_l u_{m-l} - u_m with u_{-l} = u_l; u_0 + 2 (u_1 + ... + u_n) - 1.
+/// n + 1 unknowns u_0, ..., u_n: sum_l u_l u_{m-l} - u_m with u_{-l} = u_l; u_0 + 2 (u_1 + ... +
+/// u_n) - 1.
 inline std::vector<Support> katsura(std::size_t n) {
   std::vector<Support> supports(n + 1);
   const int last = static_cast<int>(n);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is every start point a root of G, are all of them different, and are they as many as the groups say?
+// Is every start point a root of G, are all of them different, and are they as many as the groups
+// say?
 #include "moivre/start/linear_product.h"
 
 #include <gtest/gtest.h>
@@ -151,7 +152,8 @@ TEST(LinearProduct, IsMultipliedOutExactly) {
 }
 
 TEST(LinearProduct, NeighbouringNumbersAreChoicesOfFactors) {
-  // Both equations hold both unknowns: 2 * 3 + 1 * 1 choices, a root of each unknown's binomial taken from either equation.
+  // Both equations hold both unknowns: 2 * 3 + 1 * 1 choices, a root of each unknown's binomial
+  // taken from either equation.
   const LinearProductStart start =
       linear_product_start(GroupDegrees{{2, 1}, {1, 3}}, {{0}, {1}}, 1);
   ASSERT_EQ(start.paths, 7U);

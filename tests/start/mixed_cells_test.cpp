@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are the cells found mixed cells, are they all, and is what cannot be computed said and not guessed?
+// Are the cells found mixed cells, are they all, and is what cannot be computed said and not
+// guessed?
 #include "moivre/start/mixed_cells.h"
 
 #include <gtest/gtest.h>

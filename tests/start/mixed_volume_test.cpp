@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do mixed volumes and stable mixed volumes agree with PHCpack's, between liftings, and with what is known by hand?
+// Do mixed volumes and stable mixed volumes agree with PHCpack's, between liftings, and with what
+// is known by hand?
 #include "moivre/start/mixed_volume.h"
 
 #include <gtest/gtest.h>
@@ -82,7 +83,8 @@ TEST(StableMixedVolume, GrowsLikeAVolumeWithTheExponents) {
 }
 
 TEST(StableMixedVolume, TheAddedZerosAreLiftedHighEnoughWhateverTheExponents) {
-  // x^{d-1} (a x + b): the slack of x^d over the edge {0, x^{d-1}} is only 1/(d-1) of the zero's height.
+  // x^{d-1} (a x + b): the slack of x^d over the edge {0, x^{d-1}} is only 1/(d-1) of the zero's
+  // height.
   for (const std::uint32_t d : {10u, 1000u, 100000u, 100000000u}) {
     const std::vector<Support> supports{{{{d}, {d - 1}}}};
     EXPECT_EQ(mixed_volume(supports, 1).value, 1u);

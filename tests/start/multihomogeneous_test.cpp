@@ -60,8 +60,8 @@ TEST(MultihomogeneousNumber, OfAnEigenvalueProblemIsNAndNotTwoToTheN) {
   }
 }
 
-// The published numbers: cassou in PHCpack's collection; the five-link's 96 in Wampler's isotropic coordinates; the others
-// [Verschelde99].
+// The published numbers: cassou in PHCpack's collection; the five-link's 96 in Wampler's isotropic
+// coordinates; the others [Verschelde99].
 TEST(MultihomogeneousNumber, MeetsPublishedNumbers) {
   EXPECT_EQ(number(cassou(), {{0}, {1, 2, 3}}), 368U);
   EXPECT_EQ(number(problem("griewank-osborne"), {{0}, {1}}), 5U);
@@ -124,7 +124,8 @@ TEST(PartitionSearch, PrefersFewGroups) {
   EXPECT_EQ(search.groups, one_group(5));
 }
 
-// Linear equations in unknowns of their own change no number, but leave too many unknowns to try all partitions.
+// Linear equations in unknowns of their own change no number, but leave too many unknowns to try
+// all partitions.
 TEST(PartitionSearch, FindsTheSameAmongMoreUnknownsThanItCanTryAll) {
   for (const char* name :
        {"puma", "eco-5", "eco-6", "griewank-osborne", "morgan-wampler-7", "noon-4"}) {

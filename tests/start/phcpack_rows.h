@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What did PHCpack say of mixed volumes? The stored table of bench/mixed_volumes, with the supports it is about.
+// What did PHCpack say of mixed volumes? The stored table of bench/mixed_volumes, with the supports
+// it is about.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do the strata bound the points of isolated roots, and as sharply as roots that are counted by hand?
+// Do the strata bound the points of isolated roots, and as sharply as roots that are counted by
+// hand?
 #include "moivre/start/strata.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Are supports those of the polynomials, term by term, and is 0 added where it is missing and only there?
+// Are supports those of the polynomials, term by term, and is 0 added where it is missing and only
+// there?
 #include "moivre/start/support.h"
 
 #include <gtest/gtest.h>

@@ -20,7 +20,8 @@ inline System cassou() {
 )"});
 }
 
-/// A x = lambda x for the matrix a_ij = 1/(i + j + 1) + i [i = j], scaled by x_0 = 1: unknowns x_1 ... x_{n-1}, lambda.
+/// A x = lambda x for the matrix a_ij = 1/(i + j + 1) + i [i = j], scaled by x_0 = 1: unknowns x_1
+/// ... x_{n-1}, lambda.
 inline System eigenvalues(std::uint32_t n) {
   System f;
   for (std::uint32_t j = 1; j < n; ++j) f.variables.push_back("x" + std::to_string(j));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is every start point a root of G, are all of them different, and are they as many as the degrees say?
+// Is every start point a root of G, are all of them different, and are they as many as the degrees
+// say?
 #include "moivre/start/total_degree.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +14,8 @@ namespace moivre {
 namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
-// The angle of a root, up to 2 pi, is rounded three times by up to 2 epsilon; x^d has d times that, and d products of up
-// to 2 epsilon.
+// The angle of a root, up to 2 pi, is rounded three times by up to 2 epsilon; x^d has d times that,
+// and d products of up to 2 epsilon.
 double root_error(std::uint64_t d) { return 8 * static_cast<double>(d) * kEpsilon; }
 
 Complex power(Complex x, std::uint64_t d) {

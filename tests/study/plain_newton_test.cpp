@@ -17,7 +17,8 @@ TEST(PlainNewton, ComesToTheLastDigitOfAWellConditionedRoot) {
 }
 
 TEST(PlainNewton, LosesDigitsOfAnIllConditionedRootThatWasExact) {
-  // (x - 1)(x - 1.001)(x - 1.002)(x - 1.003): the residual at 1 is rounding of terms near 6, F' is 6e-9.
+  // (x - 1)(x - 1.001)(x - 1.002)(x - 1.003): the residual at 1 is rounding of terms near 6, F' is
+  // 6e-9.
   const PlainNewton newton(
       read_system({"test", "1\n(x - 1)*(x - 1.001)*(x - 1.002)*(x - 1.003);\n"}));
   const double error = std::abs(newton.polish({1.0})[0] - 1.0);

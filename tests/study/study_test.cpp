@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a study tell a loose tracker from a careful one, its own losses from what solve() repairs, and what is proved?
+// Does a study tell a loose tracker from a careful one, its own losses from what solve() repairs,
+// and what is proved?
 #include "moivre/study/study.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is what README and docs/results/study.md advise true of the committed study, and does that hold what it should?
+// Is what README and docs/results/study.md advise true of the committed study, and does that hold
+// what it should?
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -87,7 +88,8 @@ TEST(CommittedStudy, HasTwelveProblemsAndMoreOfBothKindsWithEveryMethodAndDecade
             std::string::npos);
 }
 
-// "`solve` lost no root", in less than half the time of any setting of CVODE that lost none; what paths followed once lost was reported.
+// "`solve` lost no root", in less than half the time of any setting of CVODE that lost none; what
+// paths followed once lost was reported.
 TEST(CommittedStudy, LanesLoseNothingInLessThanHalfTheTimeOfAnySettingOfCvodeThatLosesNothing) {
   const auto all = totals();
   const Total& lanes = all.at({"lanes", 1e-2});
@@ -104,7 +106,8 @@ TEST(CommittedStudy, LanesLoseNothingInLessThanHalfTheTimeOfAnySettingOfCvodeTha
   }
 }
 
-// "Paths followed once lost none with CVODE", while without projection roots are lost at each such tolerance.
+// "Paths followed once lost none with CVODE", while without projection roots are lost at each such
+// tolerance.
 TEST(CommittedStudy, CvodeWithProjectionLosesNothingAtItsDefaultAndWithoutItDoes) {
   const auto all = totals();
   EXPECT_TRUE(all.at({"bdf_projection", 1e-2}).is_clean());

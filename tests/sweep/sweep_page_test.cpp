@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a sweep's page hold the closures of every sample, thinned where there are too many, and no name as markup?
+// Does a sweep's page hold the closures of every sample, thinned where there are too many, and no
+// name as markup?
 #include <gtest/gtest.h>
 
 #include <cmath>

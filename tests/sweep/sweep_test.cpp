@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Counts over a mechanism's numbers: the borders of a four-bar and of a platform where closed forms have them.
+// Counts over a mechanism's numbers: the borders of a four-bar and of a platform where closed forms
+// have them.
 #include "moivre/sweep/sweep.h"
 
 #include <gtest/gtest.h>
@@ -37,8 +38,8 @@ TEST(Dimensions, AreNamedAndSet) {
 }
 
 TEST(Sweep, FindsWhereAFourBarCanNoLongerBeAssembled) {
-  // Norton's four-bar, crank at 40 degrees of length a: coupler 120 and rocker 80 reach over the diagonal e,
-  // e^2 = a^2 + 100^2 - 200 a cos 40 deg, while 40 <= e <= 200.
+  // Norton's four-bar, crank at 40 degrees of length a: coupler 120 and rocker 80 reach over the
+  // diagonal e, e^2 = a^2 + 100^2 - 200 a cos 40 deg, while 40 <= e <= 200.
   const SweepResult result = swept("four-bar", {{"crank.A.x", 1, 299, 40}});
   EXPECT_TRUE(result.complete);
   EXPECT_EQ(result.families, 1U);
@@ -52,7 +53,8 @@ TEST(Sweep, FindsWhereAFourBarCanNoLongerBeAssembled) {
 }
 
 TEST(Sweep, FindsWhereAFittedClosureReachesALimit) {
-  // Three parallel cranks, one pin a thousandth off: within fit only. The second crank turns with the first, from 1 on.
+  // Three parallel cranks, one pin a thousandth off: within fit only. The second crank turns with
+  // the first, from 1 on.
   const Mechanism mechanism = read_mechanism({"typed", R"toml(fit = 0.01
 [ground.points]
 O = [0, 0]
@@ -116,7 +118,8 @@ TEST(Sweep, FindsTheDeadPointsOfADriver) {
   EXPECT_NEAR(result.borders[0].at[0], dead, 1e-6);
 }
 
-/// Crank 1 upright, rod 3: the slider's line is out of reach from 4 on. The middle sample lies there, where the closures are double.
+/// Crank 1 upright, rod 3: the slider's line is out of reach from 4 on. The middle sample lies
+/// there, where the closures are double.
 TEST(Sweep, HasABorderOnEachSideOfASampleThatLiesOnOne) {
   const Mechanism mechanism =
       test::typed("[units]\nangle = \"deg\"\n" + test::slider_crank_links(1, 3, 0) +
@@ -147,7 +150,8 @@ TEST(Sweep, MapsTheAssembliesOfAPlatform) {
   EXPECT_GE(counts.size(), 2U);
 }
 
-/// A slider-crank whose slider may go from 0 to 3, crank 1 along the line: closures at 1 - rod and 1 + rod.
+/// A slider-crank whose slider may go from 0 to 3, crank 1 along the line: closures at 1 - rod and
+/// 1 + rod.
 TEST(Sweep, TellsClosuresOutsideLimitsAndWhereTheyGetThere) {
   Mechanism mechanism =
       test::typed("[units]\nangle = \"deg\"\n" + test::slider_crank_links(1, 3, 0) +
@@ -174,7 +178,8 @@ TEST(Sweep, TellsClosuresOutsideLimitsAndWhereTheyGetThere) {
   EXPECT_EQ(result.borders[1].above.filtered, 2U);
 }
 
-/// The slider is held over the pivot: the rod turns where it is as long as the crank, and closes nowhere else.
+/// The slider is held over the pivot: the rod turns where it is as long as the crank, and closes
+/// nowhere else.
 TEST(Sweep, TellsWhereTheMechanismMoves) {
   const Mechanism mechanism =
       test::typed(test::slider_crank_links(1, 3, 0) + "[[driver]]\nx = \"slider.B\"\nstart = 0\n");

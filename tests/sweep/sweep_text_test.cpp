@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a sweep say what it counts: closures outside limits, fitted ones, and where the mechanism moves?
+// Does a sweep say what it counts: closures outside limits, fitted ones, and where the mechanism
+// moves?
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the tracker in double-double keep to its path, arrive where the end is regular, and only there?
+// Does the tracker in double-double keep to its path, arrive where the end is regular, and only
+// there?
 #include "moivre/tracker/double_double_tracker.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +43,8 @@ TEST(DoubleDoubleTracker, DoesNotArriveAtADoubleRoot) {
   EXPECT_LT(std::abs(affine(arrival.x) - Complex(0, 1)), 1e-9);
 }
 
-// Both sheets pass from a distance of 1 to one of 2e-8: a landing from too far away ends at the other's root.
+// Both sheets pass from a distance of 1 to one of 2e-8: a landing from too far away ends at the
+// other's root.
 TEST(DoubleDoubleTracker, LandsOnlyWhereTheNextSheetIsFartherThanTheLandingIsUnsure) {
   const Homotopy homotopy = from_square_roots_of_one("x^2 - 2*i*x - 1 - 1e-16");
   for (const double tolerance : {1e-3, 1e-4, 1e-5, 1e-6, 1e-7}) {

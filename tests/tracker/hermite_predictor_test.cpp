@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does the predictor reproduce polynomials as far as its nodes determine them, with all digits, and is its order twice their number?
+// Does the predictor reproduce polynomials as far as its nodes determine them, with all digits, and
+// is its order twice their number?
 #include "moivre/tracker/hermite_predictor.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do tests of trackers follow? Square roots whose paths are known in closed form, and many departures at once.
+// What do tests of trackers follow? Square roots whose paths are known in closed form, and many
+// departures at once.
 //
 // Homogeneous points of one unknown are (x_1, x_0).
 #pragma once

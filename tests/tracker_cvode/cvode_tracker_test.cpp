@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do journeys with CVODE stay on a path known in closed form, and does each way of ending one occur?
+// Do journeys with CVODE stay on a path known in closed form, and does each way of ending one
+// occur?
 #include "moivre/tracker_cvode/cvode_tracker.h"
 
 #include <gtest/gtest.h>
@@ -172,7 +173,8 @@ TEST(CvodeTracker, APathIntoASingularityStopsBeforeIt) {
 }
 
 TEST(CvodeTracker, StepsThatNewtonRefusesCountAsRejected) {
-  // So near the singularity at t = 1/2 the loose predictions are off, and CVODE's own error test lets them pass.
+  // So near the singularity at t = 1/2 the loose predictions are off, and CVODE's own error test
+  // lets them pass.
   const Arrival arrival = Scene("x^2 + 1 - i/100", {.rtol = 0.3}).go(Scene::departure());
   EXPECT_EQ(arrival.journey, Journey::arrived);
   EXPECT_GE(arrival.count.rejected, 5u);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How does a test run on every instruction set of the machine? One after the other is chosen, and the best again in the end.
+// How does a test run on every instruction set of the machine? One after the other is chosen, and
+// the best again in the end.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,7 +14,8 @@
 
 namespace moivre::test {
 
-/// Chooses an instruction set for as long as it lives, for the library and for what the tests have Highway dispatch.
+/// Chooses an instruction set for as long as it lives, for the library and for what the tests have
+/// Highway dispatch.
 class Target {
  public:
   explicit Target(std::int64_t target) { choose(target); }
@@ -29,7 +31,8 @@ class Target {
   }
 };
 
-/// Every instruction set that the machine runs and the library was compiled for, the scalar one among them.
+/// Every instruction set that the machine runs and the library was compiled for, the scalar one
+/// among them.
 inline std::vector<std::int64_t> targets() {
   std::vector<std::int64_t> all;
   std::int64_t rest = runnable_targets() & HWY_TARGETS;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a step of the lanes allocate? This program counts every call of operator new; longer journeys must not add any.
+// Does a step of the lanes allocate? This program counts every call of operator new; longer
+// journeys must not add any.
 #include <gtest/gtest.h>
 
 #include <atomic>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is double-double in lanes what it is in one number? On every instruction set of the machine, against the scalar type and exactly.
+// Is double-double in lanes what it is in one number? On every instruction set of the machine,
+// against the scalar type and exactly.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "lane_double_double_test.cpp"
 #include <hwy/foreach_target.h>
@@ -15,7 +16,8 @@
 namespace moivre {
 namespace {
 
-/// What the lanes are asked to compute of a, b and c; sums and products of doubles take their high parts.
+/// What the lanes are asked to compute of a, b and c; sums and products of doubles take their high
+/// parts.
 enum class Operation { two_sum, two_product, sum, product, quotient };
 
 using Numbers = std::vector<ComplexDoubleDouble>;
@@ -135,7 +137,8 @@ bool same_bits(const DoubleDouble& a, const DoubleDouble& b) {
   return a.hi == b.hi && a.lo == b.lo;
 }
 
-/// Double-doubles of many sizes, some of them whole numbers, some the negative of the one before up to the last digits.
+/// Double-doubles of many sizes, some of them whole numbers, some the negative of the one before up
+/// to the last digits.
 Numbers some_numbers(unsigned seed) {
   constexpr int kCount = 600;
   std::mt19937_64 random(seed);

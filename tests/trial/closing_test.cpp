@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which poses count as assembled? Those at the origin, those of rounded lengths with leave, and no pose that misses by nine digits.
+// Which poses count as assembled? Those at the origin, those of rounded lengths with leave, and no
+// pose that misses by nine digits.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -199,7 +200,8 @@ carrier = "coupler"
   EXPECT_EQ(json.at("idle").at(0).at("body"), "w1");
 }
 
-// From another frame the same platform has 288 or 304 complex closures: which of its poses are none hangs on rounding.
+// From another frame the same platform has 288 or 304 complex closures: which of its poses are none
+// hangs on rounding.
 TEST(PosesFarAway, AreNotProvedToBeNone) {
   const Answer answer = answered("closures", "nearly-similar-platform");
   EXPECT_EQ(answer.json.at("counts").at("real"), 16);

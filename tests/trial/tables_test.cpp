@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do tables and pictures say what their numbers are? Units of angles, angles that go on, pitch circles, endings of files.
+// Do tables and pictures say what their numbers are? Units of angles, angles that go on, pitch
+// circles, endings of files.
 #include <gtest/gtest.h>
 
 #include <cmath>

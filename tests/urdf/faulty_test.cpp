@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is every fault of every faulty URDF named, at its line and with its advice, and nothing else? Files: tests/urdf/faulty.
+// Is every fault of every faulty URDF named, at its line and with its advice, and nothing else?
+// Files: tests/urdf/faulty.
 //
 // A file says what it expects in comments `<!-- expect LINE: words of the message -->`.
 #include <gtest/gtest.h>

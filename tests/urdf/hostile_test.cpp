@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does any file do harm? Entities, depth, size, and robots with bytes changed at random: a robot or faults in the text, soon.
+// Does any file do harm? Entities, depth, size, and robots with bytes changed at random: a robot or
+// faults in the text, soon.
 #include <gtest/gtest.h>
 
 #include <ctime>

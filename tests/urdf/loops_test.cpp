@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Does a side file close a robot's loops as it is meant? In the links' frames, with every fault at its line.
+// Does a side file close a robot's loops as it is meant? In the links' frames, with every fault at
+// its line.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -18,7 +19,8 @@ using Eigen::Vector3d;
 
 const std::string kRobots = MOIVRE_SOURCE_DIR "/problems/robots/";
 
-/// Two links that hang turned from the base: the frame of `left` is turned about x, that of `right` about z, by right angles.
+/// Two links that hang turned from the base: the frame of `left` is turned about x, that of `right`
+/// about z, by right angles.
 const std::string kTurned = R"(<robot name="turned">
   <link name="base"/><link name="left"/><link name="right"/>
   <joint name="l" type="continuous"><parent link="base"/><child link="left"/>
@@ -104,7 +106,8 @@ at = ["ground.T", "left.l"]
 TEST(LoopsTest, ThePalletizersHandIsLevelWhereItsThreeLoopsAreParallelograms) {
   const Mechanism mechanism = closed_file("palletizer");
   const double shoulder = 0.3, crank = -0.2, waist = 0.5, flange = 0.1;
-  // Rods are parallel to the upper arm, the forearm and its rod to the crank; triangle and hand do not tilt.
+  // Rods are parallel to the upper arm, the forearm and its rod to the crank; triangle and hand do
+  // not tilt.
   const std::map<std::string, double> tilts{{"turntable", 0},   {"upper_arm", shoulder},
                                             {"crank", crank},   {"drive_rod", shoulder},
                                             {"forearm", crank}, {"arm_rod", shoulder},

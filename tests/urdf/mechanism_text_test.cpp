@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is the mechanism that a robot becomes the same robot? It is read without a fault, and its joints leave its freedoms.
+// Is the mechanism that a robot becomes the same robot? It is read without a fault, and its joints
+// leave its freedoms.
 #include "moivre/urdf/mechanism_text.h"
 
 #include <gtest/gtest.h>

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: MIT
-// Which serial chain do a robot's joints form between two links? Its free joints in order, and the fixed displacements between them.
+// Which serial chain do a robot's joints form between two links? Its free joints in order, and the
+// fixed displacements between them.
 //
 //   pose of the tip in the base = B_1 J_1(x_1) B_2 J_2(x_2) ... B_n J_n(x_n) T
-//   J_i: a turn by x_i (radians) about the unit axis a_i, or a displacement by x_i along it (the file's unit, metres);
+//   J_i: a turn by x_i (radians) about the unit axis a_i, or a displacement by x_i along it (the
+//   file's unit, metres);
 //   B_i, T: fixed displacements: origins, fixed joints, held joints.
-// Each B_i is stored twice: as a transform of the numbers as typed, and as an exact dual quaternion of integers, in which angles that
-// are meant to be right are exactly right (urdf/placement.h). The polynomials use the exact ones, the last digits the others.
-// Edges: the base need not be above the tip in the tree. Joints on the way up are passed backwards and turn the other way.
-// A joint that mimics one outside the chain is free. A joint that mimics a held one is held with it.
-// Not supported: a joint that mimics a free one in the chain; chains without a free joint, or with more than six.
+// Each B_i is stored twice: as a transform of the numbers as typed, and as an exact dual quaternion
+// of integers, in which angles that are meant to be right are exactly right (urdf/placement.h). The
+// polynomials use the exact ones, the last digits the others.
+// Edges: the base need not be above the tip in the tree. Joints on the way up are passed backwards
+// and turn the other way.
+// A joint that mimics one outside the chain is free. A joint that mimics a held one is held with
+// it.
+// Not supported: a joint that mimics a free one in the chain; chains without a free joint, or with
+// more than six.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -30,7 +36,8 @@ struct ArmJoint {
   Eigen::Isometry3d before = Eigen::Isometry3d::Identity();        ///< B_i
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();                 ///< a_i, unit
   ExactDisplacement exact_before = ExactDisplacement::identity();  ///< B_i
-  /// J_i = c + s step, up to a factor: s/c = tan(x_i/2) / exact_length of a turn, 1 / exact_length of a slide.
+  /// J_i = c + s step, up to a factor: s/c = tan(x_i/2) / exact_length of a turn, 1 / exact_length
+  /// of a slide.
   ExactDisplacement step;
   double exact_length = 1;  ///< of the axis as typed
 };
@@ -42,7 +49,8 @@ struct Arm {
   ExactDisplacement exact_tool = ExactDisplacement::identity();
   std::vector<HeldJoint> held;
   double length = 1;  ///< of the arm stretched out; 1 where it has none
-  /// By how much the tip may stand elsewhere since the file's numbers are rounded: radians, and lengths beside the arm's.
+  /// By how much the tip may stand elsewhere since the file's numbers are rounded: radians, and
+  /// lengths beside the arm's.
   double rounding = 0;
 };
 
@@ -55,7 +63,8 @@ struct ArmChoice {
 /// Throws std::invalid_argument with every fault, and the links or joints to choose from.
 Arm make_arm(const Robot& robot, const ArmChoice& choice);
 
-/// Each joint's frame after its motion, in the base's frame: B_1 J_1 ... B_k J_k. Its origin is on the joint's axis.
+/// Each joint's frame after its motion, in the base's frame: B_1 J_1 ... B_k J_k. Its origin is on
+/// the joint's axis.
 std::vector<Eigen::Isometry3d> joint_frames(const Arm& arm, const Eigen::VectorXd& values);
 
 /// Where the tip is.

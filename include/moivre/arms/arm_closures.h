@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT
-// With which joint values does a serial arm hold its tip in a given pose? All solutions, by homotopy continuation.
+// With which joint values does a serial arm hold its tip in a given pose? All solutions, by
+// homotopy continuation.
 //
-// All closures of one pose that is nothing special, complex ones too, are the roots of a small multilinear system
-// (docs/decisions/0021-inverse-kinematics.md). They are put right on the arm as typed, and followed while the tip moves to the pose
-// asked (docs/decisions/0074-a-pose-is-approached.md). In the loop of the chain and its pose a few neighbouring joints are
-// eliminated linearly; the half-angle tangents of the others are the unknowns:
-//   two joints                          4 equations in 4 unknowns, 24 paths: 16 closures of a general arm, 8 rejected roots
+// All closures of one pose that is nothing special, complex ones too, are the roots of a small
+// multilinear system (docs/decisions/0021-inverse-kinematics.md). They are put right on the arm as
+// typed, and followed while the tip moves to the pose asked
+// (docs/decisions/0074-a-pose-is-approached.md). In the loop of the chain and its pose a few
+// neighbouring joints are eliminated linearly; the half-angle tangents of the others are the
+// unknowns:
+//   two joints                          4 equations in 4 unknowns, 24 paths: 16 closures of a
+//                                       general arm, 8 rejected roots
 //   three that meet or are parallel     3 unknowns, 6 paths, then two solutions each
-// Closures outside a joint's limits are kept and marked. An arm with fewer than six joints gets a wrist behind its last joint; its closures
-// are those where these stand at 0. They are least squares, and miss the pose by its accuracy at most, or by what the file's digits
-// leave open (then marked).
+// Closures outside a joint's limits are kept and marked. An arm with fewer than six joints gets a
+// wrist behind its last joint; its closures are those where these stand at 0. They are least
+// squares, and miss the pose by its accuracy at most, or by what the file's digits leave open (then
+// marked).
 // Roots that are no closures (a tangent of +-i is no rotation) are counted as `rejected`.
-// Edges: at a singular pose joints may move while the tip stands still (a straight wrist, axes in line). `moves` has these sets.
+// Edges: at a singular pose joints may move while the tip stands still (a straight wrist, axes in
+// line). `moves` has these sets.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -27,7 +33,8 @@
 
 namespace moivre {
 
-/// By how much forward kinematics of a closure may miss the pose: radians, and lengths relative to the arm's.
+/// By how much forward kinematics of a closure may miss the pose: radians, and lengths relative to
+/// the arm's.
 inline constexpr double kReach = 1e-10;
 
 /// The tip's velocity in the base's frame.
@@ -37,7 +44,8 @@ struct Twist {
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< radians
 };
 
-/// What is lost at a singular closure, and hard to move near one: by the singular vectors of the smallest singular value.
+/// What is lost at a singular closure, and hard to move near one: by the singular vectors of the
+/// smallest singular value.
 struct WeakestMotion {
   Eigen::VectorXd
       joints;  ///< unit: these joint velocities move the tip least; in radians and the file's unit
@@ -48,7 +56,8 @@ struct WeakestMotion {
 struct ArmClosure {
   std::string id;  ///< A, B, ... by values: the same for every seed, tracker and thread count
   Eigen::VectorXd values;  ///< turns in (-pi, pi], slides in the file's unit
-  /// The same with whole turns added where that brings a joint between its limits; otherwise the joint keeps its value.
+  /// The same with whole turns added where that brings a joint between its limits; otherwise the
+  /// joint keeps its value.
   Eigen::VectorXd in_limits;
   std::vector<std::size_t> beyond;  ///< joints outside their limits
   double residual = 0;  ///< by how much it misses the pose: radians, and lengths beside the arm's
@@ -58,9 +67,11 @@ struct ArmClosure {
   std::uint64_t path = 0;
   std::uint64_t multiplicity = 1;
   bool singular = false;
-  /// By how much the digits of the file's numbers may move a joint, to first order: radians, and lengths beside the arm's.
+  /// By how much the digits of the file's numbers may move a joint, to first order: radians, and
+  /// lengths beside the arm's.
   double moved_by_digits = 0;
-  /// It misses the pose by more than this is accurate, but by no more than the digits of the file leave open.
+  /// It misses the pose by more than this is accurate, but by no more than the digits of the file
+  /// leave open.
   bool within_digits = false;
 };
 
@@ -90,13 +101,15 @@ struct SelfMotion {
   Eigen::VectorXd values;      ///< of one posture
   Eigen::MatrixXd directions;  ///< a unit column for each dimension: how its joints may move
   Twist lost;                  ///< unit: how the tip cannot move from there
-  /// That hold on the whole set, where it is a piece of a plane in joint space, for the joints that move. Empty: it is curved.
+  /// That hold on the whole set, where it is a piece of a plane in joint space, for the joints that
+  /// move. Empty: it is curved.
   std::vector<JointRelation> relations;
   std::vector<Eigen::VectorXd>
       samples;          ///< postures of it, turns without reduction: a way along it
   bool closes = false;  ///< it has one dimension and comes back to its beginning
   double misfit = 0;    ///< the most that a sample misses the pose by
-  /// It misses the pose by more than this is accurate, but by no more than the digits of the file leave open.
+  /// It misses the pose by more than this is accurate, but by no more than the digits of the file
+  /// leave open.
   bool within_digits = false;
 };
 
@@ -127,10 +140,12 @@ struct ArmResult {
   SolveTime time_s;
 };
 
-/// Whether the posture is on the set, as far as its samples show: no farther from it than `within`, radians and arm's lengths.
+/// Whether the posture is on the set, as far as its samples show: no farther from it than `within`,
+/// radians and arm's lengths.
 bool is_on(const Arm& arm, const SelfMotion& motion, const Eigen::VectorXd& values, double within);
 
-/// Adds whole turns to `values` where that brings a joint between its limits; the joints that are beyond them all the same.
+/// Adds whole turns to `values` where that brings a joint between its limits; the joints that are
+/// beyond them all the same.
 std::vector<std::size_t> place_in_limits(const Arm& arm, Eigen::VectorXd& values);
 
 /// With `options.start` automatic, the start is the one that is known to be best here.
@@ -142,8 +157,9 @@ ArmResult find_arm_closures(const Arm& arm, const Eigen::Isometry3d& pose, const
                             const SolveOptions& options = {},
                             const std::atomic<bool>& stop = std::atomic<bool>{false});
 
-/// The same for many poses, whose results are handed on one by one, in their order, as soon as some hundreds of them are there: what is
-/// not kept takes no memory. A set `stop` leaves out the poses that are not begun.
+/// The same for many poses, whose results are handed on one by one, in their order, as soon as some
+/// hundreds of them are there: what is not kept takes no memory. A set `stop` leaves out the poses
+/// that are not begun.
 void for_each_pose(const Arm& arm, const std::vector<TypedPose>& poses, const Tracker& tracker,
                    const std::function<void(ArmResult&& result)>& take,
                    const SolveOptions& options = {},
@@ -153,9 +169,9 @@ void for_each_pose(const Arm& arm, const std::vector<Eigen::Isometry3d>& poses,
                    const SolveOptions& options = {},
                    const std::atomic<bool>& stop = std::atomic<bool>{false});
 
-/// The same for many poses, options.threads of them at once. Equations are solved once for the arm; a formula (start.kind "formula") or
-/// paths ("family") lead to every pose. A set `stop` leaves out the poses that are not begun, so that the result is shorter. Progress
-/// counts poses.
+/// The same for many poses, options.threads of them at once. Equations are solved once for the arm;
+/// a formula (start.kind "formula") or paths ("family") lead to every pose. A set `stop` leaves out
+/// the poses that are not begun, so that the result is shorter. Progress counts poses.
 std::vector<ArmResult> find_arm_closures(const Arm& arm, const std::vector<TypedPose>& poses,
                                          const Tracker& tracker, const SolveOptions& options = {},
                                          const std::atomic<bool>& stop = std::atomic<bool>{false});

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// With which joint values does an arm hold very many poses, in a few flat buffers instead of a struct for each posture?
+// With which joint values does an arm hold very many poses, in a few flat buffers instead of a
+// struct for each posture?
 //
-//   N poses, n joints, R closures of all together;  closures of pose k: rows first[k] to first[k + 1]
-// The same closures as find_arm_closures(), in the same order. The memory is that of the table, 8 n + 10 bytes for each closure.
+//   N poses, n joints, R closures of all together;  closures of pose k: rows first[k] to first[k +
+//   1]
+// The same closures as find_arm_closures(), in the same order. The memory is that of the table, 8 n
+// + 10 bytes for each closure.
 #pragma once
 
 #include <cstddef>
@@ -32,7 +35,8 @@ PoseTable tabulate_arm_closures(const Arm& arm, const std::vector<Eigen::Isometr
                                 const Tracker& tracker, const SolveOptions& options = {},
                                 const std::atomic<bool>& stop = std::atomic<bool>{false});
 
-/// Poses as 4 x 4 matrices, row by row, one after another. Throws InvalidInput where they are no whole matrices.
+/// Poses as 4 x 4 matrices, row by row, one after another. Throws InvalidInput where they are no
+/// whole matrices.
 std::vector<Eigen::Isometry3d> poses_of(std::span<const double> matrices);
 
 }  // namespace moivre

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Where must the tip be? Poses typed as seven numbers, x y z and a unit quaternion qw qx qy qz, on the command line or in a file.
+// Where must the tip be? Poses typed as seven numbers, x y z and a unit quaternion qw qx qy qz, on
+// the command line or in a file.
 //
-// One pose per line, with blanks, commas, semicolons or tabs between the numbers. Empty lines, lines that begin with # and a first line
-// of names are skipped. The quaternion may be rounded: it is scaled to length 1. It is refused if its length differs from 1 by more
-// than kRoundedBy.
-// A pose is as accurate as its digits: 2 units of the last decimal of the number that has most, three to eleven. With fewer decimals
-// it is meant as it stands, with more it is a computed one.
+// One pose per line, with blanks, commas, semicolons or tabs between the numbers. Empty lines,
+// lines that begin with # and a first line of names are skipped. The quaternion may be rounded: it
+// is scaled to length 1. It is refused if its length differs from 1 by more than kRoundedBy.
+// A pose is as accurate as its digits: 2 units of the last decimal of the number that has most,
+// three to eleven. With fewer decimals it is meant as it stands, with more it is a computed one.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Which rules do an arm, its joint values and a pose break? What takes them refuses them, with every broken rule named (InvalidInput).
+// Which rules do an arm, its joint values and a pose break? What takes them refuses them, with
+// every broken rule named (InvalidInput).
 //
-// A pose is finite and its rotation right-handed and orthonormal, but for rounding: one that is typed with two decimals is replaced by
-// the nearest rotation, as a typed quaternion is (arms/poses.h). One that is scaled, sheared or mirrored is refused.
+// A pose is finite and its rotation right-handed and orthonormal, but for rounding: one that is
+// typed with two decimals is replaced by the nearest rotation, as a typed quaternion is
+// (arms/poses.h). One that is scaled, sheared or mirrored is refused.
 #pragma once
 
 #include <string>
@@ -20,8 +22,8 @@ void require_unbroken(const Arm& arm);
 /// Throws InvalidInput where values are not one finite number for each joint.
 void require_values(const Arm& arm, const Eigen::VectorXd& values);
 
-/// The pose with the nearest rotation; the same pose where that is off by rounding only. Throws InvalidInput as above; `name` is what
-/// messages call it: "the pose", "pose 3".
+/// The pose with the nearest rotation; the same pose where that is off by rounding only. Throws
+/// InvalidInput as above; `name` is what messages call it: "the pose", "pose 3".
 Eigen::Isometry3d workable_pose(const Eigen::Isometry3d& pose, const std::string& name);
 
 }  // namespace moivre

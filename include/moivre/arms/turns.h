@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which whole turns may a posture's joints have, and which posture is nearest to where an arm stands?
+// Which whole turns may a posture's joints have, and which posture is nearest to where an arm
+// stands?
 //
-// A controller's joints turn farther than once: of 2 pi more or less the tip knows nothing. Joint values x (n), radians and metres.
+// A controller's joints turn farther than once: of 2 pi more or less the tip knows nothing. Joint
+// values x (n), radians and metres.
 // Distance: the largest difference of two joint values, slides beside the arm's length.
-// Edges: a joint without limits, and one that is beyond its limits whatever turns are added, keeps its value in all_turns().
+// Edges: a joint without limits, and one that is beyond its limits whatever turns are added, keeps
+// its value in all_turns().
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +19,8 @@ namespace moivre {
 
 inline constexpr std::size_t kMostChoicesOfTurns = 4096;
 
-/// Every choice of whole turns with which the joints are between their limits, by the first joint's value, then the second's.
+/// Every choice of whole turns with which the joints are between their limits, by the first joint's
+/// value, then the second's.
 /// Throws InvalidInput where there are more than kMostChoicesOfTurns.
 std::vector<Eigen::VectorXd> all_turns(const Arm& arm, const Eigen::VectorXd& values);
 
@@ -30,7 +34,8 @@ Eigen::VectorXd nearest_turns(const Arm& arm, const Eigen::VectorXd& values,
 /// Throws InvalidInput unless there is a finite value for each joint.
 void require_standing(const Arm& arm, const Eigen::VectorXd& stands);
 
-/// The closures in the order of their distance from where the arm stands, those of one distance (to nine decimals) as they were;
+/// The closures in the order of their distance from where the arm stands, those of one distance (to
+/// nine decimals) as they were;
 /// `in_limits` with the nearest turns.
 void sort_by_distance(const Arm& arm, const Eigen::VectorXd& stands,
                       std::vector<ArmClosure>& closures);

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
-// What was proved of a root? Exactly one lies in this ball, at most so far from its midpoint, and it is real or not real.
+// What was proved of a root? Exactly one lies in this ball, at most so far from its midpoint, and
+// it is real or not real.
 //
 //   B = {x : |x_j - m_j| <= radius_j for all j}, discs of the complex plane, one per coordinate
-//   proved:  F has exactly one root x* in B, J(x*) is regular, and |x*_j - m_j| <= error_j < radius_j
+//   proved:  F has exactly one root x* in B, J(x*) is regular, and |x*_j - m_j| <= error_j <
+//            radius_j
 //
-// m: the midpoint, an exact sum of doubles, midpoint + finer[0] + finer[1] + ...; `finer` is empty where double was enough.
-// radius, error: n numbers in the units of the file. What is proved holds for the exact coefficients, as they were read.
-// A certificate says nothing of other roots outside B. A multiple root has none: there J is singular.
-// Where F has numbers that are known only to lie in discs (Enclosure), it is proved for all of them at once: whatever they are
-// there, F has exactly one root in B.
+// m: the midpoint, an exact sum of doubles, midpoint + finer[0] + finer[1] + ...; `finer` is empty
+// where double was enough.
+// radius, error: n numbers in the units of the file. What is proved holds for the exact
+// coefficients, as they were read.
+// A certificate says nothing of other roots outside B. A multiple root has none: there J is
+// singular.
+// Where F has numbers that are known only to lie in discs (Enclosure), it is proved for all of them
+// at once: whatever they are there, F has exactly one root in B.
 #pragma once
 
 #include <cstddef>
@@ -61,8 +66,9 @@ struct ProvedCoordinate {
   double radius = 0;
 };
 
-/// Of a root of equations that have with x the root conj(x_mirror(v)), v = 0, 1, ...: real where it is that root, not_real where it is
-/// another. mirror: a permutation of the coordinates that undoes itself.
+/// Of a root of equations that have with x the root conj(x_mirror(v)), v = 0, 1, ...: real where it
+/// is that root, not_real where it is another. mirror: a permutation of the coordinates that undoes
+/// itself.
 Reality reality_of(std::span<const ProvedCoordinate> root, std::span<const std::size_t> mirror);
 
 }  // namespace moivre

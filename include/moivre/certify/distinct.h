@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Are these roots distinct? A sweep finds the pairs whose balls overlap, and the balls are made smaller until it is proved.
+// Are these roots distinct? A sweep finds the pairs whose balls overlap, and the balls are made
+// smaller until it is proved.
 //
 //   distinct:  |m_a - m_b|_j > error_a_j + error_b_j for some coordinate j
-//   the same:  |m_a - m_b|_j + error_a_j <= radius_b_j for all j: the root of a lies in the ball of b, where there is but one
+//   the same:  |m_a - m_b|_j + error_a_j <= radius_b_j for all j: the root of a lies in the ball of
+//              b, where there is but one
 //
-// The sweep sorts the points' projections on a random direction. Only pairs whose intervals overlap are compared, in exact rational
-// arithmetic. It takes N log N steps, and one for each such pair. A pair that is neither distinct nor the same is in doubt: two
-// overlapping balls prove nothing.
+// The sweep sorts the points' projections on a random direction. Only pairs whose intervals overlap
+// are compared, in exact rational arithmetic. It takes N log N steps, and one for each such pair. A
+// pair that is neither distinct nor the same is in doubt: two overlapping balls prove nothing.
 // Certificates that hold no root are left out.
 #pragma once
 
@@ -28,7 +30,8 @@ enum class Relation { distinct, same, doubtful };
 Relation relation(const Certificate& a, const Certificate& b);
 
 struct Distinctness {
-  /// For each certificate the first one with the same root; itself where it is the first, or holds none.
+  /// For each certificate the first one with the same root; itself where it is the first, or holds
+  /// none.
   std::vector<std::size_t> first_of;
   std::vector<IndexPair> same;  ///< pairs proved to be one root; chains of them make up first_of
   std::vector<IndexPair> doubtful;  ///< neither proved distinct nor proved the same, in order
@@ -40,7 +43,8 @@ struct Distinctness {
 /// seed: of the random direction; it changes the work, never the result.
 Distinctness compare(std::span<const Certificate> certificates, std::uint64_t seed = 1);
 
-/// As compare, but doubtful certificates are sharpened by doubling the precision, up to the certifier's most_bits.
+/// As compare, but doubtful certificates are sharpened by doubling the precision, up to the
+/// certifier's most_bits.
 Distinctness tell_apart(Certifier& certifier, std::span<Certificate> certificates,
                         std::uint64_t seed = 1);
 

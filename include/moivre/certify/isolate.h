@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Which roots has a real polynomial in one unknown, all of them, and how often? By proof: squarefree factors, then discs that part them.
+// Which roots has a real polynomial in one unknown, all of them, and how often? By proof:
+// squarefree factors, then discs that part them.
 //
-//   p = c q_1 q_2^2 q_3^3 ...   q_k squarefree, coprime, by exact algebra; a root of q_k is one of p of multiplicity k
+//   p = c q_1 q_2^2 q_3^3 ...   q_k squarefree, coprime, by exact algebra; a root of q_k is one of
+//                               p of multiplicity k
 //
-// Each disc holds exactly one root, however near the next one is: a library of ball arithmetic takes as many bits as that needs.
-// Edges: p of degree 0 has no roots; simple ones of a factor of large degree are counted, not isolated. Not supported: coefficients that are not real; degrees and coefficients beyond the limits below;
+// Each disc holds exactly one root, however near the next one is: a library of ball arithmetic
+// takes as many bits as that needs.
+// Edges: p of degree 0 has no roots; simple ones of a factor of large degree are counted, not
+// isolated. Not supported: coefficients that are not real; degrees and coefficients beyond the
+// limits below;
 // a program built without Arb.
 // Sources: [Johansson17], FLINT.
 #pragma once
@@ -34,7 +39,8 @@ struct IsolatedRoots {
   std::uint64_t other_simple = 0;  ///< roots of q_1 where its degree is too large
 };
 
-/// bits: so many of each root are told at least. nullopt: not supported, or the roots are not told apart in so many bits.
+/// bits: so many of each root are told at least. nullopt: not supported, or the roots are not told
+/// apart in so many bits.
 std::optional<IsolatedRoots> isolated_roots(const Polynomial& p, int bits);
 
 }  // namespace moivre

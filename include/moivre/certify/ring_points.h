@@ -2,7 +2,8 @@
 // Where are the simple roots of a system, all of them, without a path? From its quotient ring over
 // the rationals.
 //
-//   m, N_0 .. N_n   of polynomial/ring_image.h, from as many primes as their coefficients need, and one more that they have to agree with
+//   m, N_0 .. N_n   of polynomial/ring_image.h, from as many primes as their coefficients need, and
+//                   one more that they have to agree with
 //   z               the simple roots of m, isolated
 //   x_j = N_j(z) / N_0(z)
 //

@@ -1,22 +1,32 @@
 // SPDX-License-Identifier: MIT
-// Is a result true? Every claim that can be verified is judged from the exact coefficients of the system.
+// Is a result true? Every claim that can be verified is judged from the exact coefficients of the
+// system.
 //
 // A claim holds (proved, or recomputed), is refuted, or is open: not verifiable here.
-//   root          a regular root exists: Krawczyk's test (certify/certifier.h) from the doubles of the result
-//   accuracy      that root lies within what is stated; refuted where none does: exact Taylor sums (moivre/polynomial/exclusion.h)
+//   root          a regular root exists: Krawczyk's test (certify/certifier.h) from the doubles of
+//                 the result
+//   accuracy      that root lies within what is stated; refuted where none does: exact Taylor sums
+//                 (moivre/polynomial/exclusion.h)
 //   distinct      no two entries are one root
 //   real          roots called real are real, roots called not real are not
-//   multiplicity  open at a singular root, which is numerical; refuted where regular roots are proved beside it, or none is near
+//   multiplicity  open at a singular root, which is numerical; refuted where regular roots are
+//                 proved beside it, or none is near
 //   residual, condition   recomputed
-//   system, reduced, start, paths, complete   facts and sums; the conjugate of a root of a real system is a root
-//   certified, completeness   proved again here; completeness by a bound of bounds/root_bounds.h that the distinct roots meet
+//   system, reduced, start, paths, complete   facts and sums; the conjugate of a root of a real
+//                                             system is a root
+//   certified, completeness   proved again here; completeness by a bound of bounds/root_bounds.h
+//                             that the distinct roots meet
 //   bound         its value is the number of the roots, and that of its kind
 // A list of PHCpack claims roots, each listed once, and how many there are.
 //
-// The judge shares reading, the tape, the certificates and the bounds with the solver, but nothing that follows a path.
-// Edges: if a system is not square or has homogeneous groups, the square system of polynomial/square_up.h or patches.h is judged.
-// If that proves nothing about the file's own system, roots are open; they are refuted if an equation of the file excludes them.
-// A result whose unknowns are not those of the system belongs to another file. It is refuted and judged no further.
+// The judge shares reading, the tape, the certificates and the bounds with the solver, but nothing
+// that follows a path.
+// Edges: if a system is not square or has homogeneous groups, the square system of
+// polynomial/square_up.h or patches.h is judged.
+// If that proves nothing about the file's own system, roots are open; they are refuted if an
+// equation of the file excludes them.
+// A result whose unknowns are not those of the system belongs to another file. It is refuted and
+// judged no further.
 #pragma once
 
 #include <atomic>

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What does a result claim? Facts about its system, counts of paths, and each root with its properties.
+// What does a result claim? Facts about its system, counts of paths, and each root with its
+// properties.
 //
-// Two forms, recognized by content: the JSON of `moivre solve` (docs/json.md), and PHCpack's solution list, as `phc -b` writes it.
+// Two forms, recognized by content: the JSON of `moivre solve` (docs/json.md), and PHCpack's
+// solution list, as `phc -b` writes it.
 // The last list of a file counts; earlier ones belong to start systems or are not refined yet.
-// Nothing is judged here. Faults of form are refused: a truncated file, a missing key, a text instead of a number, a point of
-// another dimension. Every fault is named by its place in the JSON, as in `solutions[3].x[1]`, or by its line.
-// What a result leaves out, or gives as null, is not claimed: nullopt. Not supported: the JSON of other commands.
+// Nothing is judged here. Faults of form are refused: a truncated file, a missing key, a text
+// instead of a number, a point of another dimension. Every fault is named by its place in the JSON,
+// as in `solutions[3].x[1]`, or by its line.
+// What a result leaves out, or gives as null, is not claimed: nullopt. Not supported: the JSON of
+// other commands.
 #pragma once
 
 #include <cstdint>
@@ -91,8 +95,9 @@ struct Claims {
   std::optional<std::uint64_t> listed;  ///< how many roots a solution list announces
 };
 
-/// variables: of the system that the result is of; a solution list gives its coordinates by name. Throws ParseError where the
-/// text is broken, std::invalid_argument with every fault where it is no result.
+/// variables: of the system that the result is of; a solution list gives its coordinates by name.
+/// Throws ParseError where the text is broken, std::invalid_argument with every fault where it is
+/// no result.
 Claims read_claims(const Source& source, const std::vector<std::string>& variables);
 
 }  // namespace moivre

@@ -14,8 +14,8 @@ struct JudgedFiles {
   std::string result;
 };
 
-/// Roots, bounds, a line for each kind of claim, and one for each claim that does not hold. A reason why something cannot be
-/// verified is given once for all roots.
+/// Roots, bounds, a line for each kind of claim, and one for each claim that does not hold. A
+/// reason why something cannot be verified is given once for all roots.
 std::string check_text(const Judgement& judgement, const JudgedFiles& files);
 std::string check_json(const Judgement& judgement, const JudgedFiles& files);
 

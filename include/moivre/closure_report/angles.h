@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// In which unit does a table write angles, and do they jump at half a turn? Columns of angles name their unit: "crank.phi [rad]".
+// In which unit does a table write angles, and do they jump at half a turn? Columns of angles name
+// their unit: "crank.phi [rad]".
 #pragma once
 
 #include <string>
@@ -16,7 +17,8 @@ struct AngleForm {
 /// "deg" or "rad".
 std::string unit_of(const AngleForm& form);
 
-/// A column's name: that of a length as it is, that of an angle with its unit, " [rad]", and `per` behind it, " [rad/s]".
+/// A column's name: that of a length as it is, that of an angle with its unit, " [rad]", and `per`
+/// behind it, " [rad/s]".
 std::string column_name(const std::string& name, CoordinateKind kind, const AngleForm& form,
                         const std::string& per = "");
 

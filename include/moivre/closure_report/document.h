@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do all pages have in common? Numbers as short as a picture can show, data inside a script, the document around all.
+// What do all pages have in common? Numbers as short as a picture can show, data inside a script,
+// the document around all.
 #pragma once
 
 #include <string>
@@ -15,8 +16,8 @@ Json rounded(double x);
 /// JSON that stands inside `<script>`: no character of it can end the element.
 std::string script_data(const Json& json);
 
-/// The document: its policy forbids the network; `script` runs behind `body`, which has an element `error` for what fails. `style` is put
-/// behind that of all pages.
+/// The document: its policy forbids the network; `script` runs behind `body`, which has an element
+/// `error` for what fails. `style` is put behind that of all pages.
 std::string html_document(const std::string& title, std::string body, std::string_view script,
                           std::string_view style = {});
 

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
-// What does a mechanism look like? Rigid figures of plain shapes, each on a frame that a pose moves.
+// What does a mechanism look like? Rigid figures of plain shapes, each on a frame that a pose
+// moves.
 //
-// The plane is C, y upwards, lengths in the file's unit. A pose q gives each frame a similarity z -> a z + b, and the figures
-// ride on the frames: SVG, HTML and its animation move the same figures and know no joints.
+// The plane is C, y upwards, lengths in the file's unit. A pose q gives each frame a similarity z
+// -> a z + b, and the figures ride on the frames: SVG, HTML and its animation move the same figures
+// and know no joints.
 //   planar bodies     a = e^(i phi), b = x + i y
 //   rods, actuators   from one point to the other
 //   spatial bodies    lines between points, seen by an eye far away
 //   typed equations   a dial for each angle, a ruler for each length
-// The lengths of guides and slots, and the size of the symbols, follow from all the poses that are to be shown.
-// Links are drawn as the convex hull of their points. Not drawn: gears and belts whose wheels do not turn about points of the carrier.
+// The lengths of guides and slots, and the size of the symbols, follow from all the poses that are
+// to be shown.
+// Links are drawn as the convex hull of their points. Not drawn: gears and belts whose wheels do
+// not turn about points of the carrier.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,7 +39,8 @@ struct LineFrame {
   double length = 1;
 };
 
-/// From one point towards the other, lengths as they are: a = (to - from) / |to - from|, b = from; a = 1 where both are one place.
+/// From one point towards the other, lengths as they are: a = (to - from) / |to - from|, b = from;
+/// a = 1 where both are one place.
 struct AimFrame {
   MaterialPoint from;
   MaterialPoint to;
@@ -78,8 +83,8 @@ enum class Style {
 
 std::string to_string(Style style);
 
-/// Open: a polyline. Closed: everything within `radius` of the convex polygon `points`, counter-clockwise; one point is a disc,
-/// two are a link with round ends.
+/// Open: a polyline. Closed: everything within `radius` of the convex polygon `points`,
+/// counter-clockwise; one point is a disc, two are a link with round ends.
 struct Shape {
   Style style = Style::link;
   std::vector<Complex> points;
@@ -96,7 +101,8 @@ struct Figure {
 
 enum class LabelKind { body, point, unknown };
 
-/// The class that the style sheet of pictures and pages (document.h) gives to a colour; colours repeat.
+/// The class that the style sheet of pictures and pages (document.h) gives to a colour; colours
+/// repeat.
 std::string colour_class(std::optional<std::size_t> colour);
 
 /// A name beside a place; `coordinate`: followed by its value.
@@ -109,7 +115,8 @@ struct Label {
   std::optional<Eigen::Index> coordinate;
 };
 
-/// From where a spatial mechanism is seen, far away. As it is made: in front on the left and above, x goes right, y back, z up.
+/// From where a spatial mechanism is seen, far away. As it is made: in front on the left and above,
+/// x goes right, y back, z up.
 struct Eye {
   double azimuth_rad = -1.05;
   double elevation_rad = 0.42;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How are a Newton run, a mobility and a list of guesses reported? As text for people, as JSON and CSV for programs.
+// How are a Newton run, a mobility and a list of guesses reported? As text for people, as JSON and
+// CSV for programs.
 //
-// JSON: docs/json.md. CSV of newton: one row per iterate; CSV of guesses: one row per guess. Angles in radians, lengths in the
-// file's unit, but for the text, which has angles in the file's unit.
+// JSON: docs/json.md. CSV of newton: one row per iterate; CSV of guesses: one row per guess. Angles
+// in radians, lengths in the file's unit, but for the text, which has angles in the file's unit.
 #pragma once
 
 #include <string>

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // How is a motion reported? As text for people, as JSON and CSV for programs.
 //
-//   text  branches, where they begin and end, events with the drivers' values, whether the checkpoints agree
-//   JSON  docs/json.md shows it: every sample with position, velocity and acceleration of every coordinate and named point
-//   CSV   one sample per line: branch, t, drivers, then for each coordinate and each point's x, y (z) the value, velocity and
-//         acceleration
-// Angles are in radians in (-pi, pi] unless an AngleForm says otherwise, their rates per second and per second squared. Lengths are
-// in the file's unit. The text is in the file's units.
+//   text  branches, where they begin and end, events with the drivers' values, whether the
+//         checkpoints agree
+//   JSON  docs/json.md shows it: every sample with position, velocity and acceleration of every
+//         coordinate and named point
+//   CSV   one sample per line: branch, t, drivers, then for each coordinate and each point's x, y
+//         (z) the value, velocity and acceleration
+// Angles are in radians in (-pi, pi] unless an AngleForm says otherwise, their rates per second and
+// per second squared. Lengths are in the file's unit. The text is in the file's units.
 #pragma once
 
 #include <string>
@@ -21,8 +23,8 @@ struct Readings;
 
 std::string motion_text(const MotionResult& result, const Mechanism& mechanism,
                         const std::string& file);
-/// Angles in radians; `form` says whether they go on. `readings` (readings_report.h) are told where they are given. One sample at
-/// a time is held as JSON.
+/// Angles in radians; `form` says whether they go on. `readings` (readings_report.h) are told where
+/// they are given. One sample at a time is held as JSON.
 void write_motion_json(const TextSink& sink, const MotionResult& result, const Mechanism& mechanism,
                        const std::string& file, const AngleForm& form = {},
                        const Readings* readings = nullptr);

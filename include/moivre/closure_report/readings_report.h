@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How are a designer's quantities reported? Columns of a table, a table of extremes for people, and both for programs.
+// How are a designer's quantities reported? Columns of a table, a table of extremes for people, and
+// both for programs.
 //
-//   CSV   one sample per line: branch, t, drivers, then the quantities, each with its unit: "coupler-rocker transmission [deg]";
+//   CSV   one sample per line: branch, t, drivers, then the quantities, each with its unit:
+//         "coupler-rocker transmission [deg]";
 //         a cell is empty where the quantity is not defined
-//   text  one block per branch, one line per quantity: the least and the largest value and where the drivers stand then; time ratios
-//   JSON  what motion_json adds: `columns`, and of each branch `extremes` and `time_ratios` (docs/json.md)
+//   text  one block per branch, one line per quantity: the least and the largest value and where
+//         the drivers stand then; time ratios
+//   JSON  what motion_json adds: `columns`, and of each branch `extremes` and `time_ratios`
+//         (docs/json.md)
 // Angles in radians unless an AngleForm says otherwise; the text in the file's units.
 #pragma once
 

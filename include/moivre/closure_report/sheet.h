@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How are poses of one mechanism shown side by side, however they were computed? Panels on a sheet, or on a page that turns them.
+// How are poses of one mechanism shown side by side, however they were computed? Panels on a sheet,
+// or on a page that turns them.
 //
-// A panel is a pose q of the mechanism (mechanism/mechanism.h) with a caption and lines of text. All have one scale and the ground at
-// the same place. A spatial mechanism is seen from one place, or each panel comes three times: from the front, from the right
-// and from above, as in an engineering drawing. Names are escaped: whatever they hold, the document stays well-formed.
+// A panel is a pose q of the mechanism (mechanism/mechanism.h) with a caption and lines of text.
+// All have one scale and the ground at the same place. A spatial mechanism is seen from one place,
+// or each panel comes three times: from the front, from the right and from above, as in an
+// engineering drawing. Names are escaped: whatever they hold, the document stays well-formed.
 #pragma once
 
 #include <string>

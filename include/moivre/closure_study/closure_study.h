@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What does accuracy cost for a mechanism? All its closures, with every setting, and its motion against differences.
+// What does accuracy cost for a mechanism? All its closures, with every setting, and its motion
+// against differences.
 //
-// Closures: as study/study.h, of find_closures() at time 0. Errors are those of the places p = x + iy and directions
-// e^{i phi} of formulation/formulation.h, complex closures included; each closure counts, real or not.
-// Motion: the first real closure over natural_duration() (closure_study/motion_table.h), as the result's table; its row with N
-// samples is one point of each curve of the diagram.
+// Closures: as study/study.h, of find_closures() at time 0. Errors are those of the places p = x +
+// iy and directions e^{i phi} of formulation/formulation.h, complex closures included; each closure
+// counts, real or not.
+// Motion: the first real closure over natural_duration() (closure_study/motion_table.h), as the
+// result's table; its row with N samples is one point of each curve of the diagram.
 #pragma once
 
 #include "moivre/mechanism/mechanism.h"

@@ -1,20 +1,28 @@
 // SPDX-License-Identifier: MIT
-// In which poses can a mechanism be assembled? All closures at the drivers' time t, none missing, by homotopy continuation.
+// In which poses can a mechanism be assembled? All closures at the drivers' time t, none missing,
+// by homotopy continuation.
 //
-// Closure polynomials (formulation/formulation.h) -> blocks (Assur groups) solved one after another, once for every root of
-// the blocks before -> roots that satisfy every equation -> the real ones -> q -> Newton-Raphson on Phi(q, t).
-// The counts of paths add up in every stage, as in solver/solve.h. Roots that fail a redundant equation are `rejected`.
-// "Cannot be assembled" (no real closure) and "moves" (a curve of closures with the drivers held) are possible answers. The former is not
-// given where Newton-Raphson assembles the guess or the pose as drawn.
-// A regular root is proved by certificates (src/closures/root_proofs.h): that it is one root, and that it is real. So is whether a root is
-// no pose. Where there are more equations than unknowns the spare ones hold to some digits only, and there is no proof.
+// Closure polynomials (formulation/formulation.h) -> blocks (Assur groups) solved one after
+// another, once for every root of the blocks before -> roots that satisfy every equation -> the
+// real ones -> q -> Newton-Raphson on Phi(q, t).
+// The counts of paths add up in every stage, as in solver/solve.h. Roots that fail a redundant
+// equation are `rejected`.
+// "Cannot be assembled" (no real closure) and "moves" (a curve of closures with the drivers held)
+// are possible answers. The former is not given where Newton-Raphson assembles the guess or the
+// pose as drawn.
+// A regular root is proved by certificates (src/closures/root_proofs.h): that it is one root, and
+// that it is real. So is whether a root is no pose. Where there are more equations than unknowns
+// the spare ones hold to some digits only, and there is no proof.
 // An isolated multiple closure (a dead point) is singular and does not move.
-// Sub-chains that share no more than what the drivers place (sub_chains.h) are solved each on its own: closures of the whole are
-// one of each, and are listed up to kMostListed of them.
-// Where a file is typed from one drawing, the closure that was drawn is marked, and it is always listed.
-// After the answer a few local searches look for a closure that is not in it (src/closures/witness.h): one found is a contradiction.
+// Sub-chains that share no more than what the drivers place (sub_chains.h) are solved each on its
+// own: closures of the whole are one of each, and are listed up to kMostListed of them.
+// Where a file is typed from one drawing, the closure that was drawn is marked, and it is always
+// listed.
+// After the answer a few local searches look for a closure that is not in it
+// (src/closures/witness.h): one found is a contradiction.
 // Closures get letters by their poses: larger first coordinate first, ties by the next one.
-// In a block after a complex root of another block, conjugates come from the block's own unknowns pb and u.
+// In a block after a complex root of another block, conjugates come from the block's own unknowns
+// pb and u.
 // Not supported: typed equations that are not polynomials (std::invalid_argument with the reason).
 #pragma once
 
@@ -55,7 +63,8 @@ struct Closure {
   double misfit = 0;    ///< by how much it does not close, in the file's unit of length
   bool is_fitted =
       false;  ///< it closes only within Mechanism::fit: least squares, no root of the polynomials
-  /// Under Mechanism::fit: how far from q poses reach that are within it and hang together with q, in radians or of the pose's size.
+  /// Under Mechanism::fit: how far from q poses reach that are within it and hang together with q,
+  /// in radians or of the pose's size.
   std::optional<double> play;
   int newton_iterations = 0;
   double smallest_singular_value = 0;  ///< of Phi_q
@@ -63,8 +72,8 @@ struct Closure {
   std::uint64_t multiplicity = 1;
   bool singular = false;
   bool cluster = false;  ///< so many closures nearby, or one as often: no exact algebra has told
-  /// The root is proved to be one, a simple one, and real. nullopt: not asked for, or not possible since there are more equations than
-  /// unknowns, or fewer.
+  /// The root is proved to be one, a simple one, and real. nullopt: not asked for, or not possible
+  /// since there are more equations than unknowns, or fewer.
   std::optional<bool> certified;
   std::vector<std::string> of;  ///< of independent sub-chains: the id of each one's closure
   bool is_drawn = false;        ///< Newton-Raphson comes to it from the drawn pose, q = 0
@@ -104,8 +113,8 @@ struct SubChain {
   std::vector<Closure> closures;  ///< q: of chain.mechanism; ids of its own
 };
 
-/// So many closures of independent sub-chains are listed one by one. Of more, one for each closure of a sub-chain is, the others standing
-/// in their first.
+/// So many closures of independent sub-chains are listed one by one. Of more, one for each closure
+/// of a sub-chain is, the others standing in their first.
 inline constexpr std::uint64_t kMostListed = 1024;
 
 struct ClosureResult {
@@ -122,8 +131,8 @@ struct ClosureResult {
   std::vector<Stage> stages;
   std::vector<Solution> solutions;  ///< complex closures in `system`'s variables; real: a pose
   ClosureCounts counts;
-  /// proved: every root is, and each block has as many as a proved bound allows. shown: every path was decided, and every regular
-  /// root is certified. nullopt: as for Closure::certified.
+  /// proved: every root is, and each block has as many as a proved bound allows. shown: every path
+  /// was decided, and every regular root is certified. nullopt: as for Closure::certified.
   std::optional<RootCompleteness> completeness;
   std::optional<Moves> moves;
   std::vector<Closure> closures;  ///< real, within limits, by id

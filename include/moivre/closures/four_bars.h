@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Which four-bar loops does a mechanism have, and does one of their links turn fully? Grashof's rule and Barker's types.
+// Which four-bar loops does a mechanism have, and does one of their links turn fully? Grashof's
+// rule and Barker's types.
 //
-// Four links in a loop of four revolutes. Lengths g (frame), a (input), h (coupler), b (output); s, l the shortest and the
-// longest of them, p and q the others:
+// Four links in a loop of four revolutes. Lengths g (frame), a (input), h (coupler), b (output); s,
+// l the shortest and the longest of them, p and q the others:
 //   s + l < p + q    Grashof: s turns fully, the type says which link it is; two circuits
 //   s + l > p + q    no link turns fully, the type says which link is the longest; one circuit
 //   s + l = p + q    change point: the links can lie in one line, and circuits meet there
-// Frame: the ground; a loop without it has no type. Input: the neighbour of the frame that is nearer to a driver, counted in
-// joints; if both are equally near, the first one in the file. A rod is a link.
-// Edges: lengths that differ by less than 1e-9 of their sum are equal. l > s + p + q: the loop cannot be closed.
+// Frame: the ground; a loop without it has no type. Input: the neighbour of the frame that is
+// nearer to a driver, counted in joints; if both are equally near, the first one in the file. A rod
+// is a link.
+// Edges: lengths that differ by less than 1e-9 of their sum are equal. l > s + p + q: the loop
+// cannot be closed.
 // Not seen: links of several bodies that are welded together; spatial loops; equations.
 // Sources: [Barker85] types and their letters; [McCarthySoh11] signs of the sums.
 #pragma once

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Where should a user's own Newton solve begin? At every closure of a mechanism, or every real root of a system.
+// Where should a user's own Newton solve begin? At every closure of a mechanism, or every real root
+// of a system.
 //
-// q in the order of `names`: angles in radians, lengths in the file's unit, as Phi and the polynomials take them.
-// Also: a system of polynomials as a typed mechanism, so that Newton-Raphson on Phi takes polynomial files.
+// q in the order of `names`: angles in radians, lengths in the file's unit, as Phi and the
+// polynomials take them.
+// Also: a system of polynomials as a typed mechanism, so that Newton-Raphson on Phi takes
+// polynomial files.
 #pragma once
 
 #include <Eigen/Core>
@@ -27,8 +30,8 @@ InitialGuesses initial_guesses(const ClosureResult& result, const Mechanism& mec
 /// The real roots.
 InitialGuesses initial_guesses(const SolveResult& result);
 
-/// Unknown lengths with the system's names, one equation per polynomial (equation 1, 2, ...). Throws std::invalid_argument
-/// when a coefficient is not real.
+/// Unknown lengths with the system's names, one equation per polynomial (equation 1, 2, ...).
+/// Throws std::invalid_argument when a coefficient is not real.
 Mechanism typed_mechanism(const System& f);
 
 }  // namespace moivre

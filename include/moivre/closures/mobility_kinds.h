@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How freely does a mechanism move at each of its closures? A folded pose may be freer than all others.
+// How freely does a mechanism move at each of its closures? A folded pose may be freer than all
+// others.
 //
-// Closures of the same ranks, with the drivers and without them, are one kind. The generic kind has the highest rank: its
-// degrees of freedom hold nearly everywhere. If closures form a set, the pose found on the set is one more closure.
+// Closures of the same ranks, with the drivers and without them, are one kind. The generic kind has
+// the highest rank: its degrees of freedom hold nearly everywhere. If closures form a set, the pose
+// found on the set is one more closure.
 #pragma once
 
 #include <optional>
@@ -31,8 +33,9 @@ struct FoundMobility {
   Mobility mobility;  ///< there
 };
 
-/// At the closures of the time t, where no guess is given, neither here nor by the mechanism, and closures of a planar mechanism can be
-/// found; else at the pose that Newton-Raphson finds from the guess.
+/// At the closures of the time t, where no guess is given, neither here nor by the mechanism, and
+/// closures of a planar mechanism can be found; else at the pose that Newton-Raphson finds from the
+/// guess.
 FoundMobility find_mobility(const Mechanism& mechanism, const Tracker& tracker, double t = 0,
                             const std::optional<Eigen::VectorXd>& guess = {},
                             const std::atomic<bool>& stop = std::atomic<bool>{false});

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Which roots of the closure polynomials are proved, and what is proved of them? Certificates, group of blocks after group.
+// Which roots of the closure polynomials are proved, and what is proved of them? Certificates,
+// group of blocks after group.
 //
-// Blocks solved in turn are a triangular system. Where the values of the blocks before lie in balls, the next ones are proved for all
-// numbers in these (certify/certifier.h): the product of all balls holds exactly one root of all equations so far. A group is a block that
-// was solved by homotopy, with the lone linear equations that were solved since the one before.
-//   vanishes   E(x) at a root x: z = E(x) is one more unknown, known to 256 bits. Its ball holds 0; or, where coefficients were rounded, z is
-//              no further from 0 than it would move if they all changed in their last digits. It is no proof, but what is tiny because
+// Blocks solved in turn are a triangular system. Where the values of the blocks before lie in
+// balls, the next ones are proved for all numbers in these (certify/certifier.h): the product of
+// all balls holds exactly one root of all equations so far. A group is a block that was solved by
+// homotopy, with the lone linear equations that were solved since the one before.
+//   vanishes   E(x) at a root x: z = E(x) is one more unknown, known to 256 bits. Its ball holds 0;
+//              or, where coefficients were rounded, z is no further from 0 than it would move if
+//              they all changed in their last digits. It is no proof, but what is tiny because
 //              lengths are off by 1e-9 is seen not to be 0
 //   real       the mirror image of a root is a root; it lies in the ball that holds one root only
-// Proofs are of the mechanism as it was typed: a number of it that was rounded, the sine of a driver's angle, is known to lie in a disc, and
-// what is proved is proved for all numbers in it (EnclosedPolynomials).
-// Edges: a multiple root has no proof, and no root above it has one. Nothing is proved where the program has no digits beyond double.
+// Proofs are of the mechanism as it was typed: a number of it that was rounded, the sine of a
+// driver's angle, is known to lie in a disc, and what is proved is proved for all numbers in it
+// (EnclosedPolynomials).
+// Edges: a multiple root has no proof, and no root above it has one. Nothing is proved where the
+// program has no digits beyond double.
 #pragma once
 
 #include <memory>
@@ -46,7 +51,8 @@ class RootProver {
   bool knows_terms() const;
   /// None of the mechanism's numbers was rounded.
   bool has_exact_numbers() const;
-  /// Of numbers rounded so finely that what holds for them holds for almost all: they have no fewer roots than those they stand for.
+  /// Of numbers rounded so finely that what holds for them holds for almost all: they have no fewer
+  /// roots than those they stand for.
   bool has_general_numbers() const;
 
   /// The block waits for the next group.
@@ -54,14 +60,17 @@ class RootProver {
   /// What waits is the last group from now on; false where nothing waits.
   bool close();
 
-  /// Of the last group. before: of the group before it, of the same root. values: of all unknowns so far, the others are not looked at.
+  /// Of the last group. before: of the group before it, of the same root. values: of all unknowns
+  /// so far, the others are not looked at.
   KnownProof prove(const KnownProof& before, const Point& values);
-  /// Which of these, of one group and of the same root before, are proofs of roots that no earlier one may be.
+  /// Which of these, of one group and of the same root before, are proofs of roots that no earlier
+  /// one may be.
   static std::vector<bool> are_new(const std::vector<KnownProof>& proofs);
-  /// Whether one of the formulation's exclusions, in unknowns that are proved, is 0 at the root; nullopt: unknown.
+  /// Whether one of the formulation's exclusions, in unknowns that are proved, is 0 at the root;
+  /// nullopt: unknown.
   std::optional<bool> vanishes(const KnownProof& proof, const Formulation::Exclusion& exclusion);
-  /// How far the root may lie from that of the mechanism as typed, where all coefficients are known to rounding only, to first order: the
-  /// largest distance of a coordinate. nullopt: unknown.
+  /// How far the root may lie from that of the mechanism as typed, where all coefficients are known
+  /// to rounding only, to first order: the largest distance of a coordinate. nullopt: unknown.
   std::optional<double> moved_by_rounding(const KnownProof& proof);
   /// Of a proof of all unknowns.
   ProvedRoot root(const KnownProof& proof);

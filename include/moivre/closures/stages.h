@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What are all roots of a system that is solved block by block? A tree of partial roots, one solve a block and partial root.
+// What are all roots of a system that is solved block by block? A tree of partial roots, one solve
+// a block and partial root.
 //
-// A lone linear equation is solved exactly; other blocks by solve(), with the known values put in as exact numbers. Paths are
-// numbered through each stage, solve after solve.
-// Edges: a block with a set of roots of positive dimension adds what is isolated in it, and `moves` says so.
+// A lone linear equation is solved exactly; other blocks by solve(), with the known values put in
+// as exact numbers. Paths are numbered through each stage, solve after solve.
+// Edges: a block with a set of roots of positive dimension adds what is isolated in it, and `moves`
+// says so.
 #pragma once
 
 #include <atomic>
@@ -27,7 +29,8 @@ struct Known {
   Complex rounded;
 };
 
-/// Null where it is not known yet. Roots of a block have the values of the blocks before it in common.
+/// Null where it is not known yet. Roots of a block have the values of the blocks before it in
+/// common.
 using KnownValue = std::shared_ptr<const Known>;
 
 /// A root of the blocks solved so far; a value that needed no solve is exact.
@@ -61,8 +64,8 @@ struct StageRun {
   bool is_proved = true;
 };
 
-// A root of all equations leaves no more than this on the scale of the terms; those of spare equations that do not hold
-// are larger by far.
+// A root of all equations leaves no more than this on the scale of the terms; those of spare
+// equations that do not hold are larger by far.
 inline constexpr double kHolds = 1e-8;
 // Of a multiple root, which is known to the square root of that at best.
 inline constexpr double kHoldsSingular = 1e-5;
@@ -71,16 +74,19 @@ inline constexpr double kHoldsSingular = 1e-5;
 Polynomial substituted(const Polynomial& p, const std::vector<KnownValue>& value,
                        const std::vector<std::uint32_t>& place);
 
-// From this condition on rounding of the coefficients moves a root as far as it likes: products of a dozen frames are right to 45 bits.
+// From this condition on rounding of the coefficients moves a root as far as it likes: products of
+// a dozen frames are right to 45 bits.
 inline constexpr double kUndetermined = 0x1p45;
 
 /// False where the image of a value that is known differs from it.
 bool may_be_real(const Formulation& formulation, const PartialRoot& root);
 
-/// Adds the seconds of starting, tracking and refining: what solves one after another have in common.
+/// Adds the seconds of starting, tracking and refining: what solves one after another have in
+/// common.
 void add_solving(const SolveTime& part, SolveTime& sum);
 
-/// Solves the blocks in turn, and proves their roots where the prover does. `begun`: what is known before.
+/// Solves the blocks in turn, and proves their roots where the prover does. `begun`: what is known
+/// before.
 StageRun solve_blocks(const Formulation& formulation, const std::vector<Block>& blocks,
                       const Tracker& tracker, const SolveOptions& options,
                       const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun = {});

@@ -1,22 +1,31 @@
 // SPDX-License-Identifier: MIT
-// Which numbers does a designer read off a mechanism in motion? Quantities by group, each a function of one sample of a branch.
+// Which numbers does a designer read off a mechanism in motion? Quantities by group, each a
+// function of one sample of a branch.
 //
 //   coordinates    of bodies, or the unknowns, with velocity and acceleration
 //   points         places of named points, with velocity and acceleration
-//   joints         relative angle (revolute, planar slot, cylindrical) and slide (prismatic, slot, cylindrical), likewise
-//   coefficients   first and second derivative by each driver (kinematics/coefficients.h) of the bodies' angles, the joints'
-//                  slides, the points without a joint, the unknowns; spatial: of the joints' angles in place of the bodies'
+//   joints         relative angle (revolute, planar slot, cylindrical) and slide (prismatic, slot,
+//                  cylindrical), likewise
+//   coefficients   first and second derivative by each driver (kinematics/coefficients.h) of the
+//                  bodies' angles, the joints' slides, the points without a joint, the unknowns;
+//                  spatial: of the joints' angles in place of the bodies'
 //   transmission   transmission angle of joints between moving bodies (kinematics/transmission.h)
-//   advantage      mechanical advantage: output torque (or force along a slide) over the driver's, without friction and inertia.
-//                  By the balance of power it is |df / do|, f the driver's value, o the output's, with the other drivers held.
-//                  For angles it is omega_in / omega_out [Norton12, 6.6]. It is infinite where the output stands still for an
-//                  instant
-//   singularity    smallest singular value of Phi_q with its rows and columns brought to unit length: 0 at a dead point
+//   advantage      mechanical advantage: output torque (or force along a slide) over the driver's,
+//                  without friction and inertia.
+//                  By the balance of power it is |df / do|, f the driver's value, o the output's,
+//                  with the other drivers held.
+//                  For angles it is omega_in / omega_out [Norton12, 6.6]. It is infinite where the
+//                  output stands still for an instant
+//   singularity    smallest singular value of Phi_q with its rows and columns brought to unit
+//                  length: 0 at a dead point
 //
-// Outputs are bodies (their angle, or their slide where a prismatic joint ties them to the ground), joints (angle or slide),
-// points' coordinates ("rocker.B.x") or unknowns, by name. If none is named: bodies with a joint to the ground that are not driven.
-// Angles in radians (of spatial joints in [-pi, pi]), lengths in the file's unit; derivatives by an angle are by a radian.
-// NaN where a quantity is not defined: derivatives at a pose whose velocity is not unique. Idle joints are held, as in motion.
+// Outputs are bodies (their angle, or their slide where a prismatic joint ties them to the ground),
+// joints (angle or slide), points' coordinates ("rocker.B.x") or unknowns, by name. If none is
+// named: bodies with a joint to the ground that are not driven.
+// Angles in radians (of spatial joints in [-pi, pi]), lengths in the file's unit; derivatives by an
+// angle are by a radian.
+// NaN where a quantity is not defined: derivatives at a pose whose velocity is not unique. Idle
+// joints are held, as in motion.
 #pragma once
 
 #include <memory>
@@ -75,14 +84,16 @@ class QuantityReader {
   /// One per quantity. A pose without velocities has only what needs none.
   std::vector<double> read(const BranchSample& pose) const;
   double read(std::size_t quantity, const BranchSample& pose) const;
-  /// Of an advantage: do / df, which changes its sign where the advantage is infinite. NaN of others.
+  /// Of an advantage: do / df, which changes its sign where the advantage is infinite. NaN of
+  /// others.
   double rate(std::size_t quantity, const BranchSample& pose) const;
   /// Whether the quantity (a velocity, ...) is unbounded near the dead point `q`.
   bool runs_away(std::size_t quantity, const Eigen::VectorXd& q, double time) const;
 
   /// The sample of a regular pose.
   BranchSample sample_at(double time, const Eigen::VectorXd& q) const;
-  /// A sample between two: Newton's method from the quintic through both. Status false (is_determined) where it does not settle.
+  /// A sample between two: Newton's method from the quintic through both. Status false
+  /// (is_determined) where it does not settle.
   BranchSample between(const BranchSample& before, const BranchSample& after, double time) const;
 
   /// The outputs' values, as quantities of a reader of their own: see time_ratio.h.

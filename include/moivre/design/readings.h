@@ -1,15 +1,21 @@
 // SPDX-License-Identifier: MIT
-// What values do a designer's quantities take along each branch of a motion, which are the least and the largest, and how quick
-// is the return?
+// What values do a designer's quantities take along each branch of a motion, which are the least
+// and the largest, and how quick is the return?
 //
-//   values    of every quantity (design/quantity.h) at every sample; angles that turn go on from (-pi, pi] at the branch's begin
-//   extremes  the least and the largest over the branch, refined between the samples by Brent's minimization of the motion itself.
-//             If the samples show an extreme, its value is exact to rounding. A spike between two samples is not seen. Events
-//             count as samples if the quantity is defined there. At a dead point velocities have no bound; the extreme is then
-//             unbounded, at the time of the dead point. An advantage is unbounded where the output stands still for an instant.
-//   time ratio  of an output over the first turn of the only driver, an angle at constant speed. The output is at its least at t1
-//             and at its largest at t2. The ratio is the longer of the two times between them over the shorter one, >= 1
-//             [Norton12, 3.4]. There is none if the output turns fully, or has not returned after the turn.
+//   values    of every quantity (design/quantity.h) at every sample; angles that turn go on from
+//             (-pi, pi] at the branch's begin
+//   extremes  the least and the largest over the branch, refined between the samples by Brent's
+//             minimization of the motion itself.
+//             If the samples show an extreme, its value is exact to rounding. A spike between two
+//             samples is not seen. Events count as samples if the quantity is defined there. At a
+//             dead point velocities have no bound; the extreme is then unbounded, at the time of
+//             the dead point. An advantage is unbounded where the output stands still for an
+//             instant.
+//   time ratio  of an output over the first turn of the only driver, an angle at constant speed.
+//               The output is at its least at t1
+//             and at its largest at t2. The ratio is the longer of the two times between them over
+//             the shorter one, >= 1 [Norton12, 3.4]. There is none if the output turns fully, or
+//             has not returned after the turn.
 #pragma once
 
 #include <optional>

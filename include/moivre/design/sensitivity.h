@@ -1,18 +1,26 @@
 // SPDX-License-Identifier: MIT
-// How far do the closures move when a dimension is off, and how far when all of them are, within their tolerances?
+// How far do the closures move when a dimension is off, and how far when all of them are, within
+// their tolerances?
 //
-//   rates[i][k] = d x_i / d p_k, total: the pose moves with the dimension, and a point may itself be the dimension
-//   x   all coordinates of q, the places of the moving bodies' points, the joints' angles and slides (mechanism/pose.h)
+//   rates[i][k] = d x_i / d p_k, total: the pose moves with the dimension, and a point may itself
+//   be the dimension
+//   x   all coordinates of q, the places of the moving bodies' points, the joints' angles and
+//       slides (mechanism/pose.h)
 //   p   dimensions, by the names of mechanism/dimensions.h
-//   worst case       sum_k |rates[i][k]| tolerance_k       every dimension off by all it may, each to the worse side
-//   root sum square  sqrt(sum_k (rates[i][k] tolerance_k)^2)  of dimensions that are off independently of each other: where the
-//                    tolerances are standard deviations, or one multiple of them, so is this
-// Both are of first order: they hold while x_i is nearly linear over the tolerances. The furthest point of each closure shows
-// whether it is (`corner`): the mechanism is solved again with every dimension at its worst sign, up and down.
-// NaN is "there is none": at a dead point, by a dimension that cannot change alone (kinematics/sensitivity.h), of what spins freely,
-// and of a spread to which such a rate would contribute. Dimensions with tolerance 0 contribute nothing.
+//   worst case       sum_k |rates[i][k]| tolerance_k       every dimension off by all it may, each
+//                    to the worse side
+//   root sum square  sqrt(sum_k (rates[i][k] tolerance_k)^2)  of dimensions that are off
+//                    independently of each other: where the tolerances are standard deviations, or
+//                    one multiple of them, so is this
+// Both are of first order: they hold while x_i is nearly linear over the tolerances. The furthest
+// point of each closure shows whether it is (`corner`): the mechanism is solved again with every
+// dimension at its worst sign, up and down.
+// NaN is "there is none": at a dead point, by a dimension that cannot change alone
+// (kinematics/sensitivity.h), of what spins freely, and of a spread to which such a rate would
+// contribute. Dimensions with tolerance 0 contribute nothing.
 // Angles in radians, lengths in the file's unit. Idle joints are held, as in closures.
-// Not supported: typed equations (std::invalid_argument); closures by least squares, which are told to have none.
+// Not supported: typed equations (std::invalid_argument); closures by least squares, which are told
+// to have none.
 #pragma once
 
 #include <Eigen/Core>
@@ -36,7 +44,8 @@ struct SensitiveQuantity {
   std::size_t joint = 0;  ///< joint
 };
 
-/// The point's coordinate with the largest worst case, and how far it goes when the mechanism is closed there by Newton-Raphson.
+/// The point's coordinate with the largest worst case, and how far it goes when the mechanism is
+/// closed there by Newton-Raphson.
 struct SolvedCorner {
   std::size_t quantity = 0;
   std::optional<double> up;  ///< none: no closure was found, the tolerances may be too wide for one

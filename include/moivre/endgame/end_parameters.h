@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // By which numbers is the end of a path judged? All of them, and where each comes from.
 //
-// docs/algorithms/end-of-path.md shows the decisions that they stand in. No verdict hangs on the exact value of any:
+// docs/algorithms/end-of-path.md shows the decisions that they stand in. No verdict hangs on the
+// exact value of any:
 // bench/end_parameters changes each by a factor of four (docs/results/end-parameters.md).
 //
 //   s = 1 - t; u = 2^-53, the rounding of double
@@ -17,15 +18,19 @@ namespace moivre {
 
 struct EndParameters {
   // Circles in s.
-  /// From here on a path is watched, for where to turn back to: the branch points of most homotopies lie nearer to t = 1.
+  /// From here on a path is watched, for where to turn back to: the branch points of most
+  /// homotopies lie nearer to t = 1.
   double watch_radius = 0.1;
-  /// A path that still takes small steps here does not end at a regular point, to which it would have jumped.
+  /// A path that still takes small steps here does not end at a regular point, to which it would
+  /// have jumped.
   double creeping_radius = 1e-4;
-  /// No circle is smaller: s = r e^{i theta} moves the coefficients by r, of which this leaves two digits above u.
+  /// No circle is smaller: s = r e^{i theta} moves the coefficients by r, of which this leaves two
+  /// digits above u.
   double least_radius = 1e-14;
   /// From one circle to the next: a cycle of m sheets ends (1/4)^{1/m} nearer.
   double shrink = 4;
-  /// Points of one turn. The error of their mean falls as (r / r')^{N m}, r' the next branch point: u at 0.1 of it.
+  /// Points of one turn. The error of their mean falls as (r / r')^{N m}, r' the next branch point:
+  /// u at 0.1 of it.
   int samples = 16;
   /// Turns after which a circle counts as not closing. Who has more sheets fails.
   int maximum_winding = 32;
@@ -33,7 +38,8 @@ struct EndParameters {
   std::uint64_t maximum_steps = 6000;
 
   // How well points are known, relative to their size.
-  /// Newton's method at t = 1 in double ends here, u times the operations of a residual; x_0 below it may be 0.
+  /// Newton's method at t = 1 in double ends here, u times the operations of a residual; x_0 below
+  /// it may be 0.
   double rounding = 1e-13;
   /// Of a sample: the trackers' corrections end below it.
   double sample_error = 1e-10;
@@ -41,15 +47,19 @@ struct EndParameters {
   double agreement = 1e-6;
 
   // The Jacobian, bordered and with its rows scaled.
-  /// Up to this condition an arrival at t = 1 is a regular end: Newton's method has half of double's digits to work with.
+  /// Up to this condition an arrival at t = 1 is a regular end: Newton's method has half of
+  /// double's digits to work with.
   double regular_condition = 1e8;
-  /// From this condition on a mean of samples is a singular end: u times it is the square root of `rounding`.
+  /// From this condition on a mean of samples is a singular end: u times it is the square root of
+  /// `rounding`.
   double singular_condition = 1e10;
 
   // Infinity.
-  /// |x| of an end, in the units of the system, from which double does not tell it from infinity: 1 / (10 sample_error).
+  /// |x| of an end, in the units of the system, from which double does not tell it from infinity: 1
+  /// / (10 sample_error).
   double beyond = 1e11;
-  /// Of a leading exponent, on a circle on which it is steady; the denominators are at most maximum_winding.
+  /// Of a leading exponent, on a circle on which it is steady; the denominators are at most
+  /// maximum_winding.
   double valuation_error = 0.03;
   /// What vanishes in double-double, relative to its terms: 2^-104 times the operations of a face.
   double fine_rounding = 1e-26;

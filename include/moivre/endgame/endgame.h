@@ -1,27 +1,34 @@
 // SPDX-License-Identifier: MIT
 // Where does a path end? Regular, singular with a winding number, at infinity, or lost.
 //
-// An Endgame belongs to one path. It names the next contour, receives the result of following it, and in the end holds a
-// PathEnd. It calls no tracker itself, so it works with every tracker.
+// An Endgame belongs to one path. It names the next contour, receives the result of following it,
+// and in the end holds a PathEnd. It calls no tracker itself, so it works with every tracker.
 //
-//   1. The path is followed from t = 0 to t = 1. From |1 - t| <= watch_radius on its points are recorded, so that circles can
-//      begin there. If it reaches t = 1 with a well-conditioned J, the end is regular and no endgame is needed.
-//   2. Otherwise it is followed in circles t = 1 - r e^{i theta}. After m turns the path closes; m is the winding number. The
-//      mean of equidistant samples is the end point (Cauchy's integral; the error falls geometrically in the number of
-//      samples). Radii shrink until two estimates agree. All paths have radii in common.
-//   3. The power sums of the m points over one t tell whether these end together (cycle.h). The path ends at infinity if two
-//      things hold: those of x_0 are all 0, and the faces of the path's direction have a common root near it (face.h). If the
-//      points end apart, the circle is too wide, or more digits are needed.
-//   4. After several turns around a mean that is not clearly a singular root, a straight segment to t = 1 (the landing) tells
-//      whether simple roots close to each other were taken for one.
-//   5. From an end that circles have told, a path may go back outwards from where its last circle began, to a radius that all paths
-//      have in common: two paths that stand at one point there are on one sheet, and one of them has jumped on its way in.
+//   1. The path is followed from t = 0 to t = 1. From |1 - t| <= watch_radius on its points are
+//      recorded, so that circles can begin there. If it reaches t = 1 with a well-conditioned J,
+//      the end is regular and no endgame is needed.
+//   2. Otherwise it is followed in circles t = 1 - r e^{i theta}. After m turns the path closes; m
+//      is the winding number. The mean of equidistant samples is the end point (Cauchy's integral;
+//      the error falls geometrically in the number of samples). Radii shrink until two estimates
+//      agree. All paths have radii in common.
+//   3. The power sums of the m points over one t tell whether these end together (cycle.h). The
+//      path ends at infinity if two things hold: those of x_0 are all 0, and the faces of the
+//      path's direction have a common root near it (face.h). If the points end apart, the circle is
+//      too wide, or more digits are needed.
+//   4. After several turns around a mean that is not clearly a singular root, a straight segment to
+//      t = 1 (the landing) tells whether simple roots close to each other were taken for one.
+//   5. From an end that circles have told, a path may go back outwards from where its last circle
+//      began, to a radius that all paths have in common: two paths that stand at one point there
+//      are on one sheet, and one of them has jumped on its way in.
 //
-// The m points over one t are where m paths have arrived. So after one turn that leads to another point a path may wait for the
-// others: turn by turn they have walked the circle together (waits(), join()). What each would see alone is the same.
+// The m points over one t are where m paths have arrived. So after one turn that leads to another
+// point a path may wait for the others: turn by turn they have walked the circle together (waits(),
+// join()). What each would see alone is the same.
 //
-// x: N homogeneous coordinates of a chart, which knows x_0. accuracy: relative, |x - x*|_inf / |x|_inf in homogeneous coordinates.
-// Edges: a path that breaks off far from t = 1 has failed, with the reason. Not supported: winding numbers above maximum_winding.
+// x: N homogeneous coordinates of a chart, which knows x_0. accuracy: relative, |x - x*|_inf /
+// |x|_inf in homogeneous coordinates.
+// Edges: a path that breaks off far from t = 1 has failed, with the reason. Not supported: winding
+// numbers above maximum_winding.
 // Source: [MSW91] for the Cauchy integral, [HuberVerschelde98] and [Timme21] for valuations.
 #pragma once
 
@@ -53,7 +60,8 @@ std::string to_string(Failure failure);
 Failure to_failure(Journey journey);
 
 struct EndgameOptions {
-  /// The path is followed towards t = 1 as far as it leads before circles are tried: useful with many digits.
+  /// The path is followed towards t = 1 as far as it leads before circles are tried: useful with
+  /// many digits.
   bool goes_straight = false;
   bool only_regular = false;  ///< an end that is not regular is a failure: no circle is tried
   /// So many within the creeping radius tell creeping from a step that chanced to end there.
@@ -84,7 +92,8 @@ struct PathEnd {
   double condition = 0;   ///< of the bordered, row-scaled Jacobian
   Complex t = 0;          ///< how far it came
   std::size_t stage = 0;  ///< of the plan, on which it ended
-  /// Homogeneous, over 1 - t = common_radius(watch_radius), where the path has gone back to; empty: it has not.
+  /// Homogeneous, over 1 - t = common_radius(watch_radius), where the path has gone back to; empty:
+  /// it has not.
   Point sheet;
   StepCount count;
   std::optional<EndgameStart>
@@ -104,11 +113,12 @@ class Endgame : public Watcher {
   /// The first departure of a path that stands at a start of the endgame on the last stage.
   Departure take_up(const EndgameStart& endgame_start, PathSystem& path);
 
-  /// Takes an arrival. Returns the next departure, or nullopt when the verdict is known. `path`: scratch for evaluations.
+  /// Takes an arrival. Returns the next departure, or nullopt when the verdict is known. `path`:
+  /// scratch for evaluations.
   std::optional<Departure> accept(Arrival&& arrival, PathSystem& path);
 
-  /// The verdict is not known, and there is no departure: one turn has led from begin_of_turn() to another sheet's, which may be
-  /// that of another path that waits. Ends by join() or go_on().
+  /// The verdict is not known, and there is no departure: one turn has led from begin_of_turn() to
+  /// another sheet's, which may be that of another path that waits. Ends by join() or go_on().
   bool waits() const noexcept { return waits_; }
   double radius() const noexcept { return radius_; }
   /// Homogeneous, in no frame; both over 1 - t = radius().
@@ -116,13 +126,15 @@ class Endgame : public Watcher {
   Point end_of_turn() const { return outside(frame_, turn_end_); }
   /// All but end(), which a path that waits needs to go on elsewhere, as exact bytes.
   std::string bytes_of_waiting() const;
-  /// As the one that wrote these bytes, of the same options, chart, path and care. Throws std::invalid_argument where they are no such bytes.
+  /// As the one that wrote these bytes, of the same options, chart, path and care. Throws
+  /// std::invalid_argument where they are no such bytes.
   void wait_as(std::string_view bytes, PathEnd end);
   /// Alone.
   Departure go_on();
   /// The samples of its turn, homogeneous, in no frame.
   std::vector<Point> turn() const;
-  /// With the turns of all sheets of its cycle, each beginning where the one before has ended, its own turns[own].
+  /// With the turns of all sheets of its cycle, each beginning where the one before has ended, its
+  /// own turns[own].
   std::optional<Departure> join(const std::vector<std::vector<Point>>& turns, std::size_t own,
                                 PathSystem& path);
   /// As a sheet of the same cycle, which has ended at infinity.

@@ -7,7 +7,8 @@
 
 namespace moivre {
 
-/// `noun` takes another ending in the plural: counted(2, "entry", "entries"). Count: any integer type.
+/// `noun` takes another ending in the plural: counted(2, "entry", "entries"). Count: any integer
+/// type.
 template <class Count>
 std::string counted(Count count, std::string_view noun, std::string_view plural) {
   return std::to_string(count) + ' ' + std::string(count == 1 ? noun : plural);

@@ -9,13 +9,16 @@
 // the imaginary unit) is the caller's to say.
 //
 //   sum      = [+|-] product { (+|-) [-] product }
-//   product  = power { (*|/) [-] power }                and 2x, 3(x + 1): a number right before what it multiplies
+//   product  = power { (*|/) [-] power }                and 2x, 3(x + 1): a number right before
+//            what it multiplies
 //   power    = operand [ (^|**) [-] power ]             -x^2 is -(x^2), x^2^3 is x^(2^3)
 //   operand  = number | name | name ( sum {, sum} ) | ( sum )     name and ( on one line
 //   number   = digits [. digits] [(e|E) [+|-] digits], also .5
-//   name     = letter (Greek ones too) or _, then letters, digits, small digits below the line, _, [ and ]
+//   name     = letter (Greek ones too) or _, then letters, digits, small digits below the line, _,
+//            [ and ]
 //
-// Not supported: other products without their `*` (x y, 1/2x), signs in a row (++, +-+), relations, comments.
+// Not supported: other products without their `*` (x y, 1/2x), signs in a row (++, +-+), relations,
+// comments.
 #pragma once
 
 #include <functional>
@@ -51,14 +54,16 @@ struct Expression {
 };
 
 /// Parses all of `text` (a piece of a source that begins at `begin`) as one expression.
-/// Appended to `faults`: the first fault of the grammar in each summand, every unmatched parenthesis, and every number that is out
-/// of double's range (nonzero ones that round to 0 too) or has more than 5000 digits. Such a number is 1 in the tree. After a
-/// fault the result must not be used.
+/// Appended to `faults`: the first fault of the grammar in each summand, every unmatched
+/// parenthesis, and every number that is out of double's range (nonzero ones that round to 0 too)
+/// or has more than 5000 digits. Such a number is 1 in the tree. After a fault the result must not
+/// be used.
 Expression parse_expression(std::string_view text, SourcePosition begin,
                             std::vector<Diagnostic>& faults);
 
 /// The same for a sum that may be long: each summand, with its sign, is handed on as soon as it is
-/// read and then forgotten. After a summand with a fault, correct summands are still handed on, without their signs.
+/// read and then forgotten. After a summand with a fault, correct summands are still handed on,
+/// without their signs.
 void parse_summands(std::string_view text, SourcePosition begin, std::vector<Diagnostic>& faults,
                     const std::function<void(const Expression&)>& take);
 

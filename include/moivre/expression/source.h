@@ -37,18 +37,21 @@ struct Source {
   std::string text;
 };
 
-/// Far more than a system at the limit of a million terms takes; a device without end is not read for ever.
+/// Far more than a system at the limit of a million terms takes; a device without end is not read
+/// for ever.
 inline constexpr std::size_t kLongestText = 256'000'000;
 
-/// Reads the whole file, "-": standard input, without a UTF-8 byte order mark. Throws InvalidInput with the
-/// reason when it cannot be read (a directory, no permission, not there, longer than `longest` bytes).
+/// Reads the whole file, "-": standard input, without a UTF-8 byte order mark. Throws InvalidInput
+/// with the reason when it cannot be read (a directory, no permission, not there, longer than
+/// `longest` bytes).
 Source read_source(const std::string& path, std::size_t longest = kLongestText);
 
 /// "file:line:column: error: message", the line (a window of it, when it is long) and a caret below
 /// the fault.
 std::string to_text(const Diagnostic& diagnostic, const Source& source);
 
-/// Every fault of one input; what() is all their texts, one after another; the broken rules are their messages.
+/// Every fault of one input; what() is all their texts, one after another; the broken rules are
+/// their messages.
 class ParseError : public InvalidInput {
  public:
   ParseError(const Source& source, std::vector<Diagnostic> faults);

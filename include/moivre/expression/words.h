@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What does a line of text hold between its blanks? The text without them, and the number that a word is.
+// What does a line of text hold between its blanks? The text without them, and the number that a
+// word is.
 //
-// Edges: text that is blank throughout is trimmed to the empty text at its end, so that positions in a file stay true. A word is a
-// number only as a whole; a plus sign may stand before it, "inf" and "nan" are numbers, one beyond double is none.
+// Edges: text that is blank throughout is trimmed to the empty text at its end, so that positions
+// in a file stay true. A word is a number only as a whole; a plus sign may stand before it, "inf"
+// and "nan" are numbers, one beyond double is none.
 #pragma once
 
 #include <charconv>

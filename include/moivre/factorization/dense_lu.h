@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Solve J x = b in any complex scalar: elimination with partial pivoting, rows compared by their own sizes.
+// Solve J x = b in any complex scalar: elimination with partial pivoting, rows compared by their
+// own sizes.
 //
 //   P J = L U,  the pivot of column k is the row with the largest |a_ik| / max_j |J_ij|
 //
-// J: n x n, row-major. S needs -, product(S, S), reciprocal(S) and magnitude1(S), an ordered real. For scalars
-// beyond double; factorization/lu.h is the one for inner loops in double. Not supported: condition estimates.
+// J: n x n, row-major. S needs -, product(S, S), reciprocal(S) and magnitude1(S), an ordered real.
+// For scalars beyond double; factorization/lu.h is the one for inner loops in double. Not
+// supported: condition estimates.
 #pragma once
 
 #include <cstddef>

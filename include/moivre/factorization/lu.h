@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Solve J x = b for a small dense complex matrix, many times, without allocating; how far is J from singular?
+// Solve J x = b for a small dense complex matrix, many times, without allocating; how far is J from
+// singular?
 //
-//   R J = P L U,   R = diag(r_i) with r_i = 2^-e, 2^e near max_j |J_ij| w_j: rows brought to one size
-//   before pivoting [Skeel79], so that a polynomial multiplied by a constant changes nothing. w: the
-//   sizes of the unknowns, so that a row that matters to a small unknown is not taken for a large one.
+//   R J = P L U,   R = diag(r_i) with r_i = 2^-e, 2^e near max_j |J_ij| w_j: rows brought to one
+//                  size
+//   before pivoting [Skeel79], so that a polynomial multiplied by a constant changes nothing. w:
+//   the sizes of the unknowns, so that a row that matters to a small unknown is not taken for a
+//   large one.
 //
-// J: n x n, row-major, row i = equation i. Singular to working precision: is_singular(), and solves give
-// infinities or NaN that the caller sees. Own code because Eigen's PartialPivLU takes 2.6 times as long at n = 9.
+// J: n x n, row-major, row i = equation i. Singular to working precision: is_singular(), and solves
+// give infinities or NaN that the caller sees. Own code because Eigen's PartialPivLU takes 2.6
+// times as long at n = 9.
 #pragma once
 
 #include <cstddef>

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Which x comes nearest to A x = b, and how many columns of A are independent? Householder's QR factorizations.
+// Which x comes nearest to A x = b, and how many columns of A are independent? Householder's QR
+// factorizations.
 //
 //   Qr                  A = Q R                  full rank is taken for granted
 //   PivotedQr           A P = Q R                the next column is always the longest that is left
 //   shortest_solution   A P = Q [R 0; 0 0] Z     least |x| among those of least |A x - b|
-// Symbols: A m x n, b m, Q m x m, R min(m, n) x n, P a permutation, Z n x n. The one place that instantiates them.
-// Edges: a pivot counts as zero if it is at most `tolerance` times the largest; a matrix of zeros has rank 0.
+// Symbols: A m x n, b m, Q m x m, R min(m, n) x n, P a permutation, Z n x n. The one place that
+// instantiates them.
+// Edges: a pivot counts as zero if it is at most `tolerance` times the largest; a matrix of zeros
+// has rank 0.
 // Not supported: matrices without rows or columns.
 // Source: [GolubVanLoan13], ch. 5.
 #pragma once

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What rank has a matrix at least, of which only an approximation is known? That of columns that stay independent whatever the error.
+// What rank has a matrix at least, of which only an approximation is known? That of columns that
+// stay independent whatever the error.
 //
-//   |A - B|_F <= e and sigma_min(A_1) > e for r columns A_1 of A: then B has rank r at least   [Stewart73]
+//   |A - B|_F <= e and sigma_min(A_1) > e for r columns A_1 of A: then B has rank r at least
+//   [Stewart73]
 //
-// The columns are chosen by pivoting, A P = Q R, and sigma_min(R_1) >= 1 / |R_1^-1|_F. A: m x n, complex.
-// Edges: a matrix without rows or columns has rank 0. Not supported: an upper bound, which no approximation gives.
+// The columns are chosen by pivoting, A P = Q R, and sigma_min(R_1) >= 1 / |R_1^-1|_F. A: m x n,
+// complex.
+// Edges: a matrix without rows or columns has rank 0. Not supported: an upper bound, which no
+// approximation gives.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Along which directions does a real matrix stretch, and how much? The singular value decomposition A = U diag(sigma) V^T.
+// Along which directions does a real matrix stretch, and how much? The singular value decomposition
+// A = U diag(sigma) V^T.
 //
-// A: m x n, sigma: min(m, n) values, descending. By Jacobi's rotations, which know the small values best, up to
-// kJacobiSize; else by bidiagonalization, which is a hundred times faster there. The one place that instantiates them.
-// Edges: a matrix without rows or columns has no singular values, and its full vectors are identities.
+// A: m x n, sigma: min(m, n) values, descending. By Jacobi's rotations, which know the small values
+// best, up to kJacobiSize; else by bidiagonalization, which is a hundred times faster there. The
+// one place that instantiates them.
+// Edges: a matrix without rows or columns has no singular values, and its full vectors are
+// identities.
 // Not supported: complex matrices.
 #pragma once
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Which families of coefficients are known, and is this system a member of one? A cache that grows while systems are solved.
+// Which families of coefficients are known, and is this system a member of one? A cache that grows
+// while systems are solved.
 //
-// Linear equations of a system are eliminated. The rest is a member of the family of its monomials (family/coefficients.h). The
-// family is learned when it is first met. Every later system with these monomials, or fewer, then takes as many paths as a
-// generic one has roots. Mechanisms are solved block by block, and each kind of block is a family.
+// Linear equations of a system are eliminated. The rest is a member of the family of its monomials
+// (family/coefficients.h). The family is learned when it is first met. Every later system with
+// these monomials, or fewer, then takes as many paths as a generic one has roots. Mechanisms are
+// solved block by block, and each kind of block is a family.
 //
-// Thread-safe. Edges: a family that could not be learned completely is not kept; its systems are solved as usual.
+// Thread-safe. Edges: a family that could not be learned completely is not kept; its systems are
+// solved as usual.
 #pragma once
 
 #include <memory>
@@ -20,7 +23,8 @@ class FamilyBook {
   /// seed: of what is learned.
   explicit FamilyBook(std::vector<Family> families = {}, std::uint64_t seed = 1);
 
-  /// The result for f by a family; nullopt if elimination alone decides, or no family could be learned.
+  /// The result for f by a family; nullopt if elimination alone decides, or no family could be
+  /// learned.
   std::optional<SolveResult> solve(const System& f, const Tracker& tracker,
                                    const SolveOptions& options, const std::atomic<bool>& stop);
 

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-// What is a family of systems, and what is known of it once it is learned? F(x; p) and all roots of one generic member.
+// What is a family of systems, and what is known of it once it is learned? F(x; p) and all roots of
+// one generic member.
 //
-//   F(x; p) = (F_1, ..., F_n), polynomials in n unknowns x and k parameters p, coefficients exactly as read
-//   p*: a random complex member;  roots: the regular isolated roots of F(x; p*), as many as a generic member has
+//   F(x; p) = (F_1, ..., F_n), polynomials in n unknowns x and k parameters p, coefficients exactly
+//   as read
+//   p*: a random complex member;  roots: the regular isolated roots of F(x; p*), as many as a
+//                                 generic member has
 //
-// The isolated roots of a member are ends of the paths from p* to it. A generic member has as many, and none has more
-// [SommeseWampler05, ch. 7]. The system is polynomial in the parameters. A number and its complex conjugate are two parameters.
+// The isolated roots of a member are ends of the paths from p* to it. A generic member has as many,
+// and none has more [SommeseWampler05, ch. 7]. The system is polynomial in the parameters. A number
+// and its complex conjugate are two parameters.
 // Dependent numbers, such as sine and cosine of an angle, must be expressed by free parameters.
-// Edges: multiple roots and sets of roots at p* belong to every member. They are not kept, and the learning says so.
+// Edges: multiple roots and sets of roots at p* belong to every member. They are not kept, and the
+// learning says so.
 #pragma once
 
 #include <string>
@@ -38,7 +43,8 @@ struct Family {
   std::uint64_t seed = 0;     ///< of p* and of the search for its roots
   Point generic;              ///< p*
   std::vector<Point> roots;   ///< at p*, n coordinates each
-  /// Roots with a coordinate 0 are left out. Closure equations are Laurent polynomials multiplied out; such roots are no closures.
+  /// Roots with a coordinate 0 are left out. Closure equations are Laurent polynomials multiplied
+  /// out; such roots are no closures.
   bool nonzero = false;
   Learning learning;
 
@@ -51,8 +57,8 @@ struct Family {
   friend bool operator==(const Family& a, const Family& b);
 };
 
-/// Every broken rule as a sentence, empty where there is none: the system's own, and that sizes, p* and the roots have as many finite
-/// numbers as there are parameters and unknowns.
+/// Every broken rule as a sentence, empty where there is none: the system's own, and that sizes, p*
+/// and the roots have as many finite numbers as there are parameters and unknowns.
 std::vector<std::string> broken_rules(const Family& family);
 /// The same of a family that is not learned: of its system and sizes.
 std::vector<std::string> broken_rules_of_unlearned(const Family& family);

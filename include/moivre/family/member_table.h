@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What are the roots of very many members of a family, in a few flat buffers instead of a struct for each root?
+// What are the roots of very many members of a family, in a few flat buffers instead of a struct
+// for each root?
 //
-//   N members, n unknowns, R roots of all together;  roots of member k: rows first[k] to first[k + 1]
-// The same roots as solve_members(), in the same order. Members are taken a few thousand at a time, so that the memory is that of the
-// table, 16 n + 19 bytes for each root.
+//   N members, n unknowns, R roots of all together;  roots of member k: rows first[k] to first[k +
+//   1]
+// The same roots as solve_members(), in the same order. Members are taken a few thousand at a time,
+// so that the memory is that of the table, 16 n + 19 bytes for each root.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +32,8 @@ struct MemberTable {
   std::size_t members() const { return first.size() - 1; }
 };
 
-/// parameters: N x k numbers, row by row. Throws as solve_members(), and InvalidInput where they are no whole rows. A set `stop` leaves
-/// members without roots that are not complete.
+/// parameters: N x k numbers, row by row. Throws as solve_members(), and InvalidInput where they
+/// are no whole rows. A set `stop` leaves members without roots that are not complete.
 MemberTable solve_member_table(const Family& family, std::span<const Complex> parameters,
                                const Tracker& tracker, const SolveOptions& options = {},
                                const std::atomic<bool>& stop = std::atomic<bool>{false});

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// What are the roots of many members of a family? Few paths for each member, together in lanes that stay full.
+// What are the roots of many members of a family? Few paths for each member, together in lanes that
+// stay full.
 //
-// Every path goes from p* to its own member (Homotopy::members). There is no endgame. A member is done if all its paths end at
-// different regular roots and, for a real member, every root has its conjugate. Any other member is solved again by
-// solve_member(), which judges its ends; `judged` says so.
+// Every path goes from p* to its own member (Homotopy::members). There is no endgame. A member is
+// done if all its paths end at different regular roots and, for a real member, every root has its
+// conjugate. Any other member is solved again by solve_member(), which judges its ends; `judged`
+// says so.
 //
-// Thread-safe; the result does not depend on the number of threads. Members are given as doubles; solve_member() takes exact values.
+// Thread-safe; the result does not depend on the number of threads. Members are given as doubles;
+// solve_member() takes exact values.
 #pragma once
 
 #include <optional>
@@ -38,13 +41,16 @@ struct MemberRoots {
   std::uint64_t real_count() const;
 };
 
-/// As solve_members(), but a member that is not done by its paths alone stays as it is, and is not complete.
+/// As solve_members(), but a member that is not done by its paths alone stays as it is, and is not
+/// complete.
 std::vector<MemberRoots> follow_members(const Family& family, std::span<const Point> members,
                                         const Tracker& tracker, const SolveOptions& options = {},
                                         const std::atomic<bool>& stop = std::atomic<bool>{false});
 
-/// One entry for each member, in their order. Of the options only seed, threads, care, certify, fallback, observations and progress are used;
-/// progress counts members. Throws as solve_member(). A set `stop` leaves members that are not complete.
+/// One entry for each member, in their order. Of the options only seed, threads, care, certify,
+/// fallback, observations and progress are used;
+/// progress counts members. Throws as solve_member(). A set `stop` leaves members that are not
+/// complete.
 std::vector<MemberRoots> solve_members(const Family& family, std::span<const Point> members,
                                        const Tracker& tracker, const SolveOptions& options = {},
                                        const std::atomic<bool>& stop = std::atomic<bool>{false});

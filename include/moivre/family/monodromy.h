@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: MIT
-// How is a family learned from one known root? Loops of the parameters lead to other roots, until a test shows that all are found.
+// How is a family learned from one known root? Loops of the parameters lead to other roots, until a
+// test shows that all are found.
 //
-//   loop       p* -> a -> b -> p*, straight lines between random complex members: a permutation of the roots at p*
-//   trace      on a line p* + s v of members the roots (x, s) form a curve; it meets G(x, s) = s (l(x) - 1) - e in as many points for
-//              every e, and the sum over all of them of any linear function of x is linear in e; over a part of them it is not
+//   loop       p* -> a -> b -> p*, straight lines between random complex members: a permutation of
+//              the roots at p*
+//   trace      on a line p* + s v of members the roots (x, s) form a curve; it meets G(x, s) = s
+//              (l(x) - 1) - e in as many points for every e, and the sum over all of them of any
+//              linear function of x is linear in e; over a part of them it is not
 //
-// The test needs the points with l(x) = 1. They are found by the same loops, with the coefficients of the bilinear form G as parameters.
-// The test shows that no root is missing on those components of the incidence variety {(x, p)} on which known roots lie. It does
-// not show that there is no other component with isolated roots. Its points are followed back to p*; a new root there was missing.
+// The test needs the points with l(x) = 1. They are found by the same loops, with the coefficients
+// of the bilinear form G as parameters.
+// The test shows that no root is missing on those components of the incidence variety {(x, p)} on
+// which known roots lie. It does not show that there is no other component with isolated roots. Its
+// points are followed back to p*; a new root there was missing.
 // Deterministic in the seed.
 // Edges: parameters enter as polynomials; roots that are not regular at generic p are not met.
 // Source: [LRS18] for the trace test of such curves, [DHJLLS19] for loops.
@@ -56,11 +61,13 @@ struct KnownPair {
   Point x, p;
 };
 
-/// A random complex root of a random complex member: Newton's method in x and p together, the shortest corrections first, from unknowns of
-/// this size. nullopt where it leads to no regular root from 64 random beginnings.
+/// A random complex root of a random complex member: Newton's method in x and p together, the
+/// shortest corrections first, from unknowns of this size. nullopt where it leads to no regular
+/// root from 64 random beginnings.
 std::optional<KnownPair> random_pair(const Family& family, std::uint64_t seed, double size = 1);
 
-/// A set `stop` keeps what was found. Throws InvalidInput where the pair is no regular root, or of another size.
+/// A set `stop` keeps what was found. Throws InvalidInput where the pair is no regular root, or of
+/// another size.
 Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker& tracker,
                           const MonodromyOptions& options = {},
                           const std::atomic<bool>& stop = std::atomic<bool>{false});

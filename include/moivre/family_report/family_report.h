@@ -5,7 +5,8 @@
 //   one member  as for solve() (report/solve_report.h), with the values of its parameters
 //   a table     JSON everything, CSV one root per line, text the numbers of roots
 //
-// The same bytes for every number of threads, but for the run times. `name`: of the family's file, as the user gave it.
+// The same bytes for every number of threads, but for the run times. `name`: of the family's file,
+// as the user gave it.
 #pragma once
 
 #include <string>

@@ -1,25 +1,38 @@
 // SPDX-License-Identifier: MIT
-// Which polynomials does an assembled mechanism satisfy? Its joints in suitable coordinates, drivers substituted.
+// Which polynomials does an assembled mechanism satisfy? Its joints in suitable coordinates,
+// drivers substituted.
 //
 // Planar mechanisms, in isotropic coordinates:
-// Body i:  p_i = x + iy,  pb_i its conjugate as an unknown of its own,  t_i = exp(i phi_i),  u_i = 1/t_i.
-// Bodies with a known relative angle (weld, prismatic, driven angle) share one t:  t_i = gamma_i t_class.
-//   body       t u = 1                                            one equation per class, ground's t is 1
+// Body i:  p_i = x + iy,  pb_i its conjugate as an unknown of its own,  t_i = exp(i phi_i),  u_i =
+//                         1/t_i.
+// Bodies with a known relative angle (weld, prismatic, driven angle) share one t:  t_i = gamma_i
+// t_class.
+//   body       t u = 1                                            one equation per class, ground's
+//              t is 1
 //   revolute   p_i + a t_i = p_j + b t_j,  and the conjugate      linear
-//   line       (eb u_i) D = (e t_i) Db                            prismatic and slot; D = p_j + b t_j - p_i - a t_i
+//   line       (eb u_i) D = (e t_i) Db                            prismatic and slot; D = p_j + b
+//              t_j - p_i - a t_i
 //   slide      D = s e t_i,  Db = s eb u_i                        a driven line: linear
 //   rod        D Db = L^2                                       and an actuator that is driven
-//   gear       t_i^zi t_c^(zj-zi) t_j^-zj = exp(-i zj phase)      powers moved to the side that keeps the degree low
+//   gear       t_i^zi t_c^(zj-zi) t_j^-zj = exp(-i zj phase)      powers moved to the side that
+//              keeps the degree low
 //   driven x   p + a t + pb + ab u = 2 x
-//   rack, cam  eb u_i D + e t_i Db = 2 s                         its slide s is known (src/formulation/known_motions.h)
-// Typed equations: cos and sin of whole multiples of angles become polynomials in t and u, lengths stay.
-// A real pose is a fixed point of x_v -> conj(x_mirror(v)): mirror swaps p and pb, t and u, and keeps a length.
-// Coefficients are the shortest decimals that read back as the file's doubles; exp(i phi) is a rational point of the unit
-// circle within 2^-126 of the direction that was typed, so that t u = 1 holds exactly. What is true of the mechanism is proved
-// with EnclosedPolynomials, in which each number that was rounded has a factor of its own. The drivers stand at the time given.
-// Spatial mechanisms: half angles and dual quaternions (src/formulation/spatial_bodies.h, docs/decisions/0020-spatial-closures.md).
-// Not supported: typed equations with angles outside cos and sin (std::invalid_argument, the reason).
-// Source: [Wampler96], with the slide of prismatic joints eliminated, since that halves their degree.
+//   rack, cam  eb u_i D + e t_i Db = 2 s                         its slide s is known
+//              (src/formulation/known_motions.h)
+// Typed equations: cos and sin of whole multiples of angles become polynomials in t and u, lengths
+// stay.
+// A real pose is a fixed point of x_v -> conj(x_mirror(v)): mirror swaps p and pb, t and u, and
+// keeps a length.
+// Coefficients are the shortest decimals that read back as the file's doubles; exp(i phi) is a
+// rational point of the unit circle within 2^-126 of the direction that was typed, so that t u = 1
+// holds exactly. What is true of the mechanism is proved with EnclosedPolynomials, in which each
+// number that was rounded has a factor of its own. The drivers stand at the time given.
+// Spatial mechanisms: half angles and dual quaternions (src/formulation/spatial_bodies.h,
+// docs/decisions/0020-spatial-closures.md).
+// Not supported: typed equations with angles outside cos and sin (std::invalid_argument, the
+// reason).
+// Source: [Wampler96], with the slide of prismatic joints eliminated, since that halves their
+// degree.
 #pragma once
 
 #include <Eigen/Core>
@@ -36,8 +49,9 @@
 
 namespace moivre {
 
-/// The polynomials of the mechanism as it was typed, in the unknowns and in factors that are known to lie near 1: w_k, variable n + k
-/// where there are n unknowns. With every w_k = 1 they are those of the formulation, but for terms that were taken for rounding.
+/// The polynomials of the mechanism as it was typed, in the unknowns and in factors that are known
+/// to lie near 1: w_k, variable n + k where there are n unknowns. With every w_k = 1 they are those
+/// of the formulation, but for terms that were taken for rounding.
 struct EnclosedPolynomials {
   std::vector<Polynomial> polynomials;
   std::vector<double> factor_errors;  ///< |w_k - 1| is no more
@@ -51,21 +65,25 @@ struct Formulation {
   std::vector<bool>
       is_direction;   ///< of each variable: t or u, of size 1 where real; else a length
   double length = 0;  ///< the mechanism's largest; 0 of typed equations, which have none
-  /// The coefficients are what the file's numbers make them, not right to rounding only. Of spatial mechanisms.
+  /// The coefficients are what the file's numbers make them, not right to rounding only. Of spatial
+  /// mechanisms.
   bool is_exact = true;
-  /// Axes and turns are right to rounding only, and so is what is made of them: what a proof says of two roots that rounding may merge is not
-  /// said of the file's numbers. Of spatial mechanisms.
+  /// Axes and turns are right to rounding only, and so is what is made of them: what a proof says
+  /// of two roots that rounding may merge is not said of the file's numbers. Of spatial mechanisms.
   bool has_rounded_frames = false;
-  /// Terms of exact numbers were taken for rounding, since they are as small: a platform typed with 14 digits is the symmetric one.
+  /// Terms of exact numbers were taken for rounding, since they are as small: a platform typed with
+  /// 14 digits is the symmetric one.
   bool lacks_typed_terms = false;
   /// Made where it is asked for; empty where the system itself is what proofs are of.
   std::function<EnclosedPolynomials()> enclosed;
   std::vector<std::vector<std::string>> owners;  ///< bodies (or unknowns) that a variable places
-  /// Why there is no closure, each a clause. What is a number, and no equation any more, stays in the system all the same.
+  /// Why there is no closure, each a clause. What is a number, and no equation any more, stays in
+  /// the system all the same.
   std::vector<std::string> contradictions;
 
-  /// Where q is read from: q_k = Re or Im of a number, or its argument. The number is `of`; of a body that follows a rack or a cam
-  /// it is `of` + `arm` f(root), where f is no polynomial: a direction, a displacement.
+  /// Where q is read from: q_k = Re or Im of a number, or its argument. The number is `of`; of a
+  /// body that follows a rack or a cam it is `of` + `arm` f(root), where f is no polynomial: a
+  /// direction, a displacement.
   struct Reading {
     enum class Part { re, im, argument } part = Part::re;
     Polynomial of;
@@ -82,13 +100,14 @@ struct Formulation {
   };
   std::vector<Exclusion> exclusions;
 
-  /// A member of a class in general position. On almost every line of coefficients through it and another member, from which no
-  /// exclusion vanishes, there are as many roots as it has.
+  /// A member of a class in general position. On almost every line of coefficients through it and
+  /// another member, from which no exclusion vanishes, there are as many roots as it has.
   struct GeneralMember {
     System system;  ///< equation by equation of the same kind as the formulation's, in its unknowns
     std::vector<Point> roots;
   };
-  /// A theorem on the first unknowns: no member of this class has more isolated poses, complex ones included.
+  /// A theorem on the first unknowns: no member of this class has more isolated poses, complex ones
+  /// included.
   struct Theorem {
     std::string of;            ///< "a body on six rods"
     std::size_t unknowns = 0;  ///< which these and as many equations, the first ones, say all of
@@ -99,7 +118,8 @@ struct Formulation {
   std::vector<std::pair<std::string, std::string>> left_out;  ///< what was left out, and why
 };
 
-/// What is left of an exclusion's terms, 0 to 1; nullopt where it has a variable whose value is not known.
+/// What is left of an exclusion's terms, 0 to 1; nullopt where it has a variable whose value is not
+/// known.
 std::optional<double> share_left(const Formulation::Exclusion& exclusion,
                                  const std::vector<std::optional<Complex>>& values);
 
@@ -109,12 +129,13 @@ Formulation formulate(const Mechanism& mechanism, double t);
 /// q of a root; meaningful where the root is real.
 Eigen::VectorXd coordinates_of_root(const Formulation& formulation, const Point& root);
 
-/// max_i |F_i| / sum |terms of F_i|, where a direction counts as at least 1 and a length as at least the largest one, of the root and
-/// of the mechanism. Without this an equation like p = 0 would have rounding errors as its only scale.
+/// max_i |F_i| / sum |terms of F_i|, where a direction counts as at least 1 and a length as at
+/// least the largest one, of the root and of the mechanism. Without this an equation like p = 0
+/// would have rounding errors as its only scale.
 double residual_of_root(const Formulation& formulation, const Point& root);
 
-/// max_v |x_v - conj(x_mirror(v))| / size_v: 0 for a real pose. size_v: of a direction the largest one, 1 at least; of a length the largest
-/// one, of the root and of the mechanism.
+/// max_v |x_v - conj(x_mirror(v))| / size_v: 0 for a real pose. size_v: of a direction the largest
+/// one, 1 at least; of a length the largest one, of the root and of the mechanism.
 double distance_from_real(const Formulation& formulation, const Point& root);
 
 /// The image of a root under the real structure: a root as well.

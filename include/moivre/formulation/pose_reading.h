@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Where does a root of the closure polynomials put the bodies of a spatial mechanism?
 //
-// Bodies that cannot move relative to each other are one group; group 0 is the ground's. Groups are placed one after another, in
-// one of two ways:
-//   by a pose    relative to a placed group: eight polynomials, a dual quaternion (real factors do not matter)
-//   by points    two or three of its points coincide with points of placed groups: a link that was left out of the polynomials.
+// Bodies that cannot move relative to each other are one group; group 0 is the ground's. Groups are
+// placed one after another, in one of two ways:
+//   by a pose    relative to a placed group: eight polynomials, a dual quaternion (real factors do
+//                not matter)
+//   by points    two or three of its points coincide with points of placed groups: a link that was
+//                left out of the polynomials.
 //                With two points the turn about their line is the one of mechanism/spins.h.
 // q of each body: [x, y, z, rotation vector], the vector no longer than pi.
 #pragma once

@@ -28,7 +28,8 @@ class HomotopyEvaluator {
   HomotopyEvaluator(const HomotopyEvaluator&) = delete;
   HomotopyEvaluator& operator=(const HomotopyEvaluator&) = delete;
 
-  /// The frame of the path that is looked at, where the homotopy is framed; it has to stay where it is.
+  /// The frame of the path that is looked at, where the homotopy is framed; it has to stay where it
+  /// is.
   void set_frame(const PathFrame* frame) {
     frame_ = frame;
     has_moved_ = false;
@@ -44,7 +45,8 @@ class HomotopyEvaluator {
     }
   }
 
-  /// h <- H, hx <- the n rows of H_x (row-major, N columns, so hx may be a taller matrix), ht <- H_t.
+  /// h <- H, hx <- the n rows of H_x (row-major, N columns, so hx may be a taller matrix), ht <-
+  /// H_t.
   void linearization(std::span<const S> x, const Time<S>& t, std::span<S> h, std::span<S> hx,
                      std::span<S> ht) {
     move(t);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a path's frame kept, and sent to another process? To the last bit; none at all is kept too.
+// How is a path's frame kept, and sent to another process? To the last bit; none at all is kept
+// too.
 #pragma once
 
 #include <memory>

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What are the moving coefficients at t, and how fast do they move? c_k(t) and dc_k/dt, by the homotopy's law.
+// What are the moving coefficients at t, and how fast do they move? c_k(t) and dc_k/dt, by the
+// homotopy's law.
 //
-//   straight     c = t f + (1 - t) g          dc = f - g,    evaluated as g + t dc, or as f - (1 - t) dc near t = 1
-//   toric        c = g e^{-w (1 - t)}         dc = w c        w: the weights of the path, one a term of the homotopy
+//   straight     c = t f + (1 - t) g          dc = f - g,    evaluated as g + t dc, or as f - (1 -
+//                                             t) dc near t = 1
+//   toric        c = g e^{-w (1 - t)}         dc = w c        w: the weights of the path, one a
+//                                             term of the homotopy
 //   framed       as said, times the factor of the term in the path's frame
 //   parameters   c = q((1 - t) p + t p')      dc = q_p (p' - p)
 //
-// The toric exponential is evaluated in double for every scalar. So it is one function of t everywhere, and exactly 1 at t = 1. A
-// path needs no more.
+// The toric exponential is evaluated in double for every scalar. So it is one function of t
+// everywhere, and exactly 1 at t = 1. A path needs no more.
 // Source: [HuberSturmfels95] for the toric law.
 #pragma once
 
@@ -37,7 +40,8 @@ class MovingCoefficients {
     }
   }
 
-  /// frame: the path's where the homotopy is framed or of members, else nullptr. Fills `c` of the values, and `slope`.
+  /// frame: the path's where the homotopy is framed or of members, else nullptr. Fills `c` of the
+  /// values, and `slope`.
   void move(const Time<S>& t, const PathFrame* frame) {
     switch (program_.law) {
       case CoefficientLaw::straight:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What does an interpreter of homotopies run? The tape with its coefficients rounded, written out in the order of use.
+// What does an interpreter of homotopies run? The tape with its coefficients rounded, written out
+// in the order of use.
 //
 //   Real: what coefficients are rounded to, double or a type of more digits
 //   products: as in polynomial/tape.h
@@ -7,9 +8,10 @@
 //
 //       t sum c r  +  (1 - t) sum c r  +  sum c(t) r          r: registers
 //
-// On a straight line, a term that only one end has keeps its coefficient; its sum shares the factor t or 1 - t. A real coefficient
-// then costs half as much as a complex one. All other terms, and all terms of a framed homotopy, have moving coefficients. They
-// are evaluated once for each t (homotopy/moving.h); those of the Jacobian are integer multiples of those of the values.
+// On a straight line, a term that only one end has keeps its coefficient; its sum shares the factor
+// t or 1 - t. A real coefficient then costs half as much as a complex one. All other terms, and all
+// terms of a framed homotopy, have moving coefficients. They are evaluated once for each t
+// (homotopy/moving.h); those of the Jacobian are integer multiples of those of the values.
 #pragma once
 
 #include <cstdint>
@@ -86,7 +88,8 @@ struct HomotopyProgram {
   bool stands_still() const { return moving.empty(); }
 };
 
-/// Instantiated for double and DoubleDouble; for other types by whoever includes homotopy/write_program.h.
+/// Instantiated for double and DoubleDouble; for other types by whoever includes
+/// homotopy/write_program.h.
 template <class Real>
 HomotopyProgram<Real> make_program(const Homotopy& homotopy);
 

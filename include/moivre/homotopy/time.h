@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where on a path is a point? t together with 1 - t, because near t = 1 the difference would lose the digits of 1 - t.
+// Where on a path is a point? t together with 1 - t, because near t = 1 the difference would lose
+// the digits of 1 - t.
 #pragma once
 
 #include "moivre/numeric/complex.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How is the program of a homotopy made in one real type? Terms are sorted into those that stand still and those that move, and the
-// sums over them are written out.
+// How is the program of a homotopy made in one real type? Terms are sorted into those that stand
+// still and those that move, and the sums over them are written out.
 //
-// The definition of make_program() (homotopy/program.h), for those who instantiate it in a real type of their own:
+// The definition of make_program() (homotopy/program.h), for those who instantiate it in a real
+// type of their own:
 // RealScalar<Real> has to round to it (numeric/scalar.h).
 #pragma once
 
@@ -196,7 +197,8 @@ class ProgramWriter {
     }
   }
 
-  /// The registers that entries read on one side, each with its place among the weighted registers from `first` on.
+  /// The registers that entries read on one side, each with its place among the weighted registers
+  /// from `first` on.
   static std::map<std::uint32_t, std::uint32_t> registers_of(
       const std::vector<Entry>& all, std::vector<Tape::Summand> Parts::*side, std::uint32_t first) {
     std::map<std::uint32_t, std::uint32_t> places;

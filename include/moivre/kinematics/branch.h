@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: MIT
 // Where does one assembled pose go while the drivers move, and where does its branch end?
 //
-// A branch is a curve Phi(q, t) = 0 through (q0, t0). It is followed by arc length in y = (q / w, t / T), w a length of the
-// mechanism for lengths and 1 for angles, T the remaining time. The tangent y' satisfies [Phi_q Phi_t] y' = 0. The predictor is
-// y + h y' + h^2 y'' / 2; the corrector is Newton's method on the plane across y'. The size of the next step depends on how far
-// the prediction misses and how much the tangent turns.
-// Samples are corrected at their own times; one factorization of Phi_q serves velocity and acceleration there.
+// A branch is a curve Phi(q, t) = 0 through (q0, t0). It is followed by arc length in y = (q / w, t
+// / T), w a length of the mechanism for lengths and 1 for angles, T the remaining time. The tangent
+// y' satisfies [Phi_q Phi_t] y' = 0. The predictor is y + h y' + h^2 y'' / 2; the corrector is
+// Newton's method on the plane across y'. The size of the next step depends on how far the
+// prediction misses and how much the tangent turns.
+// Samples are corrected at their own times; one factorization of Phi_q serves velocity and
+// acceleration there.
 //
 // The branch ends before `to` where it cannot go on, and says so:
-//   dead point    y' is perpendicular to t: Phi_q is singular, [Phi_q Phi_t] is not. The drivers can go no further, and two
-//                 branches meet and end (a limit position of the driver, a toggle, a fold).
-//   bifurcation   [Phi_q Phi_t] loses rank: branches cross (a change point), and the continuation is not unique.
+//   dead point    y' is perpendicular to t: Phi_q is singular, [Phi_q Phi_t] is not. The drivers
+//                 can go no further, and two branches meet and end (a limit position of the driver,
+//                 a toggle, a fold).
+//   bifurcation   [Phi_q Phi_t] loses rank: branches cross (a change point), and the continuation
+//                 is not unique.
 //   joint limit   a joint is at the end of its range.
-// Dead points are located by the secant method on the curve. At bifurcations no point can be corrected; they are located by
-// extrapolating the smallest singular value to 0. It falls like a whole power of the remaining distance: 1 where branches
-// cross, 2 where they touch.
-// Not supported: fewer independent equations than coordinates (the pose would move with the drivers held): `failed`.
+// Dead points are located by the secant method on the curve. At bifurcations no point can be
+// corrected; they are located by extrapolating the smallest singular value to 0. It falls like a
+// whole power of the remaining distance: 1 where branches cross, 2 where they touch.
+// Not supported: fewer independent equations than coordinates (the pose would move with the drivers
+// held): `failed`.
 #pragma once
 
 #include <Eigen/Core>
@@ -43,7 +48,8 @@ struct BranchEvent {
   double uncertainty = 0;  ///< of `time`, estimated
 };
 
-/// The motion at one output time. Angles go on past half a turn: they are not brought back into (-pi, pi].
+/// The motion at one output time. Angles go on past half a turn: they are not brought back into
+/// (-pi, pi].
 struct BranchSample {
   double time = 0;
   Eigen::VectorXd q;
@@ -66,7 +72,8 @@ struct BranchOptions {
   double longest_step = 0.5;      ///< in y: a radian, or the mechanism's length, is 1
   double largest_approach = 0.5;  ///< share of the way to where branches seem to cross, in one step
   int maximum_steps = 20000;      ///< accepted and rejected
-  /// Times of velocity and acceleration, ascending; at other times only the pose is found. nullopt: at all times.
+  /// Times of velocity and acceleration, ascending; at other times only the pose is found. nullopt:
+  /// at all times.
   std::optional<std::vector<double>> velocity_times;
 };
 
@@ -76,7 +83,8 @@ struct BranchPose {
   Eigen::VectorXd q;
 };
 
-/// One step of a branch: q(x), 0 <= x <= until, on the curve of degree five through both ends of the step, 0 and `length`.
+/// One step of a branch: q(x), 0 <= x <= until, on the curve of degree five through both ends of
+/// the step, 0 and `length`.
 struct BranchPiece {
   double length = 0;
   double until = 0;                  ///< less than `length` where the last time is reached before
@@ -97,7 +105,8 @@ struct Branch {
   int rejected = 0;
 };
 
-/// Follows the pose q0, assembled at times.front(), through `times` (strictly monotone, either way; two or more).
+/// Follows the pose q0, assembled at times.front(), through `times` (strictly monotone, either way;
+/// two or more).
 /// Throws std::invalid_argument when q0 or the times are not as said.
 Branch follow_branch(const Mechanism& mechanism, const Eigen::VectorXd& q0,
                      const std::vector<double>& times, const BranchOptions& options = {},

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: MIT
-// How many degrees of freedom has the mechanism at this pose, which rows are redundant, and where do constraints push?
+// How many degrees of freedom has the mechanism at this pose, which rows are redundant, and where
+// do constraints push?
 //
 //   degrees of freedom = n - rank Phi_q;  Gruebler's count = n - m
 //   R: n x (n - rank), Phi_q R = 0, orthonormal: the allowable velocities q' = R z'
-//   a redundant row is a combination of rows before it; left null vectors c with c^T Phi_q = 0 say which
-//   constraint i pushes along -lambda_i (Phi_q^T) column i
-// The rank comes from column-pivoted QR, and singular values confirm it; both are of the equilibrated Phi_q.
-// With `fit` (Mechanism::fit, in the file's unit of length) a motion is one during which constraints miss by no more than fit: singular
-// values up to sqrt(m) fit / phi.length() count as zero, and a pose that misses by no more than fit, drivers
-// included, as assembled.
-// A singular pose (a dead point, a bifurcation) has a lower rank than the poses near it. It is found by stepping along R and
-// correcting back to the constraints. A pose near a singular one gives a warning.
+//   a redundant row is a combination of rows before it; left null vectors c with c^T Phi_q = 0 say
+//   which constraint i pushes along -lambda_i (Phi_q^T) column i
+// The rank comes from column-pivoted QR, and singular values confirm it; both are of the
+// equilibrated Phi_q.
+// With `fit` (Mechanism::fit, in the file's unit of length) a motion is one during which
+// constraints miss by no more than fit: singular values up to sqrt(m) fit / phi.length() count as
+// zero, and a pose that misses by no more than fit, drivers included, as assembled.
+// A singular pose (a dead point, a bifurcation) has a lower rank than the poses near it. It is
+// found by stepping along R and correcting back to the constraints. A pose near a singular one
+// gives a warning.
 #pragma once
 
 #include <string>
@@ -81,7 +84,8 @@ struct Mobility {
   std::vector<std::string> warnings;
 };
 
-/// At the pose q and the time t. Assembled: the joints' rows vanish, or no row misses by more than `fit`.
+/// At the pose q and the time t. Assembled: the joints' rows vanish, or no row misses by more than
+/// `fit`.
 Mobility mobility(const Phi& phi, const Eigen::VectorXd& q, double t = 0, double fit = 0);
 
 }  // namespace moivre

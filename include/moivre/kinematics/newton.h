@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Does Newton-Raphson assemble the mechanism from this guess? q+ = q + dq, Phi_q dq = -Phi, iteration by iteration.
+// Does Newton-Raphson assemble the mechanism from this guess? q+ = q + dq, Phi_q dq = -Phi,
+// iteration by iteration.
 //
-// The step is solved as kinematics/linear.h chooses (or as asked): LU where Phi_q is square and regular, least squares
-// where rows are redundant, weighted minimum norm where coordinates are free.
-// Long rotation vectors are replaced by the shortest ones of the same pose, since a step from a long one means little.
-// Edges: a cycle, divergence, a singular Phi_q and a least-squares minimum that is no solution each end the run with their
-// own status. An unassemblable mechanism typically ends in no_solution or iteration_limit.
+// The step is solved as kinematics/linear.h chooses (or as asked): LU where Phi_q is square and
+// regular, least squares where rows are redundant, weighted minimum norm where coordinates are
+// free.
+// Long rotation vectors are replaced by the shortest ones of the same pose, since a step from a
+// long one means little.
+// Edges: a cycle, divergence, a singular Phi_q and a least-squares minimum that is no solution each
+// end the run with their own status. An unassemblable mechanism typically ends in no_solution or
+// iteration_limit.
 // Not supported: damping; the run is the textbook's.
 #pragma once
 
@@ -64,7 +68,8 @@ struct NewtonResult {
   int steps() const { return static_cast<int>(iterations.size()) - 1; }
 };
 
-/// Throws std::invalid_argument when the guess has not n finite entries, or the options make no sense (every broken rule).
+/// Throws std::invalid_argument when the guess has not n finite entries, or the options make no
+/// sense (every broken rule).
 NewtonResult newton(const Phi& phi, const Eigen::VectorXd& guess, double t = 0,
                     const NewtonOptions& options = {});
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which directions does a matrix map to zero? Orthonormal null spaces from the singular value decomposition, rank given by QR.
+// Which directions does a matrix map to zero? Orthonormal null spaces from the singular value
+// decomposition, rank given by QR.
 //
-// A: m x n. The rank is kinematics/linear.h's, that of A with rows and columns brought to unit length; the null space is A's own.
-// Edges: of full rank, and of no rows or columns, the null space has as many columns as are left, 0 to n.
+// A: m x n. The rank is kinematics/linear.h's, that of A with rows and columns brought to unit
+// length; the null space is A's own.
+// Edges: of full rank, and of no rows or columns, the null space has as many columns as are left, 0
+// to n.
 #pragma once
 
 #include <Eigen/Core>
@@ -17,7 +20,8 @@ Eigen::MatrixXd null_space(const Eigen::MatrixXd& A, double tolerance = kRankTol
 /// As null_space, but the columns are only independent, not orthonormal: by QR, which is faster.
 Eigen::MatrixXd null_space_basis(const Eigen::MatrixXd& A);
 
-/// The unit vector that A shortens most, where it has columns of comparable length: of a matrix that is singular but for rounding.
+/// The unit vector that A shortens most, where it has columns of comparable length: of a matrix
+/// that is singular but for rounding.
 Eigen::VectorXd shortest_direction(const Eigen::MatrixXd& A);
 
 /// m x (m - rank), N^T A = 0.

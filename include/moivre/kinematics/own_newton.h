@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Does Newton-Raphson find a zero of one's own function from this guess? q+ = q + dq, J dq = -f, iteration by iteration.
+// Does Newton-Raphson find a zero of one's own function from this guess? q+ = q + dq, J dq = -f,
+// iteration by iteration.
 //
 //   f: R^n -> R^m, J = df/dq, m x n; without a J it is taken by central differences
-// Steps are solved as kinematics/linear.h chooses: LU where J is square and regular, least squares where m > n, least |dq| where m < n.
-// A row's residual counts beside |J_i| |q|, the change of f_i by which rounding of q shows, |q| being 1 at least.
-// Statuses, iterations and ranks are those of newton() on Phi (kinematics/newton.h). What f or J throws is thrown to the caller.
+// Steps are solved as kinematics/linear.h chooses: LU where J is square and regular, least squares
+// where m > n, least |dq| where m < n.
+// A row's residual counts beside |J_i| |q|, the change of f_i by which rounding of q shows, |q|
+// being 1 at least.
+// Statuses, iterations and ranks are those of newton() on Phi (kinematics/newton.h). What f or J
+// throws is thrown to the caller.
 // Not supported: damping, held coordinates, weights.
 #pragma once
 
@@ -24,8 +28,8 @@ struct OwnNewtonOptions {
   int maximum_iterations = 50;
 };
 
-/// Throws InvalidInput, with every broken rule, where there is no f, the guess is empty or not finite, f or J has a size of its own at some
-/// q, or an option makes no sense.
+/// Throws InvalidInput, with every broken rule, where there is no f, the guess is empty or not
+/// finite, f or J has a size of its own at some q, or an option makes no sense.
 NewtonResult newton(const OwnFunction& f, const Eigen::VectorXd& guess,
                     const OwnNewtonOptions& options = {});
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What rank has Phi_q, whatever unit lengths are typed in? Counted where lengths are measured by the mechanism's own.
+// What rank has Phi_q, whatever unit lengths are typed in? Counted where lengths are measured by
+// the mechanism's own.
 //
-//   J' = R^-1 J C,   R, C diagonal: of each row and coordinate 1, or a power of the mechanism's mean length (mechanism/phi.h)
-// J: Phi_q, its first rows, or [Phi_q Phi_t]. A mechanism typed in micrometres has the rank and the singular poses of the same in metres.
+//   J' = R^-1 J C,   R, C diagonal: of each row and coordinate 1, or a power of the mechanism's
+//                    mean length (mechanism/phi.h)
+// J: Phi_q, its first rows, or [Phi_q Phi_t]. A mechanism typed in micrometres has the rank and the
+// singular poses of the same in metres.
 // Solutions come back in the file's units.
 #pragma once
 

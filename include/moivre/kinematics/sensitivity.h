@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 // How does an assembled pose move when a dimension changes? dq/dp by the implicit function theorem.
 //
-//   Phi(q(p), p) = 0  =>  Phi_q dq/dp_k = -Phi_p,k        one factorization of Phi_q for all dimensions
-// Symbols: q (n coordinates), p dimensions (mechanism/dimensions.h), Phi_p (m x p, mechanism/dimension_rates.h), the drivers held.
+//   Phi(q(p), p) = 0  =>  Phi_q dq/dp_k = -Phi_p,k        one factorization of Phi_q for all
+//                         dimensions
+// Symbols: q (n coordinates), p dimensions (mechanism/dimensions.h), Phi_p (m x p,
+// mechanism/dimension_rates.h), the drivers held.
 // Edges, each an answer of its own:
-//   dead point   rank Phi_q < n: the pose moves like the square root of a change. There is no derivative, except by dimensions
-//                that enter no constraint
-//   spare rows   m > rank: if -Phi_p,k is no combination of Phi_q's columns, the mechanism does not close after p_k alone has
-//                changed. It has no derivative by p_k
-//   spins        n - rank freedoms that hide no closure (a rod's body between two balls): dq/dp is one of many, `free` has the others
-// Not supported: poses that close by least squares only, whose derivative needs the curvature of Phi.
+//   dead point   rank Phi_q < n: the pose moves like the square root of a change. There is no
+//                derivative, except by dimensions that enter no constraint
+//   spare rows   m > rank: if -Phi_p,k is no combination of Phi_q's columns, the mechanism does not
+//                close after p_k alone has changed. It has no derivative by p_k
+//   spins        n - rank freedoms that hide no closure (a rod's body between two balls): dq/dp is
+//                one of many, `free` has the others
+// Not supported: poses that close by least squares only, whose derivative needs the curvature of
+// Phi.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a mechanism put together in code? By names, with the keys of a mechanism file; the reader of files checks it.
+// How is a mechanism put together in code? By names, with the keys of a mechanism file; the reader
+// of files checks it.
 //
 //   MechanismBuilder m("Four-bar");
 //   m.units("mm", "deg");
@@ -9,8 +10,9 @@
 //   m.driver("angle", "crank", {{"start", 40}, {"velocity", 360}});
 //   const Mechanism mechanism = m.build();
 //
-// What is built is a mechanism file (text()), read by read_mechanism(): every key of docs/mechanism-file.md may stand in the lists of
-// settings, and every rule is the reader's. Numbers are written with as many digits as it takes to read them back.
+// What is built is a mechanism file (text()), read by read_mechanism(): every key of
+// docs/mechanism-file.md may stand in the lists of settings, and every rule is the reader's.
+// Numbers are written with as many digits as it takes to read them back.
 #pragma once
 
 #include <concepts>

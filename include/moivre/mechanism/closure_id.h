@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is closure number k called? A to Z, then AA, AB, ...; of a sub-chain with the sub-chain's number.
+// What is closure number k called? A to Z, then AA, AB, ...; of a sub-chain with the sub-chain's
+// number.
 #pragma once
 
 #include <cstddef>

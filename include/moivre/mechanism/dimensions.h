@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Which numbers of a mechanism may be varied, and by what names? Dimensions of bodies and joints, and what drivers prescribe.
+// Which numbers of a mechanism may be varied, and by what names? Dimensions of bodies and joints,
+// and what drivers prescribe.
 //
-//   body.point.x, .y, .z    coordinate of a point in its body's frame      length, in the file's unit
+//   body.point.x, .y, .z    coordinate of a point in its body's frame      length, in the file's
+//                           unit
 //   joint.length            of a rod                                      length
 //   joint.turn              of a prismatic joint or a weld                angle
 //   a driver's name         its value: the law is replaced by it          in the file's units
-// Where two drivers have one name, as x and y of one point have, they are called "driver coupler.P.x" and "driver coupler.P.y".
-// By name a value is in the file's units, degrees where it says so; by Dimension angles are radians.
-// A tolerance is how far a dimension may be off, up or down, in the units of its value: that typed for it, else
-// Mechanism::tolerance for points and rods, else 0. Turns and drivers are exact where nothing is typed for them.
+// Where two drivers have one name, as x and y of one point have, they are called "driver
+// coupler.P.x" and "driver coupler.P.y".
+// By name a value is in the file's units, degrees where it says so; by Dimension angles are
+// radians.
+// A tolerance is how far a dimension may be off, up or down, in the units of its value: that typed
+// for it, else Mechanism::tolerance for points and rods, else 0. Turns and drivers are exact where
+// nothing is typed for them.
 // Not supported: constants of typed equations, directions of lines and axes, teeth.
 #pragma once
 

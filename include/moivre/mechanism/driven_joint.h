@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do drivers say of a spatial joint at a time? Its angle, its slide, both or nothing; a screw's angle tells its slide.
+// What do drivers say of a spatial joint at a time? Its angle, its slide, both or nothing; a
+// screw's angle tells its slide.
 #pragma once
 
 #include <optional>

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What does a driver prescribe at time t? A value with two derivatives, from a parabola, a table or a typed expression.
+// What does a driver prescribe at time t? A value with two derivatives, from a parabola, a table or
+// a typed expression.
 //
 //   parabola    f(t) = start + velocity t + acceleration t^2 / 2
-//   table       natural cubic spline through (t_k, f_k), continued by its end tangents (twice continuously differentiable)
+//   table       natural cubic spline through (t_k, f_k), continued by its end tangents (twice
+//               continuously differentiable)
 //   expression  typed in t, differentiated by Taylor arithmetic
 // Angles in radians, lengths in the file's unit, t in seconds.
 #pragma once
@@ -30,8 +32,8 @@ struct Spline {
 /// Requires two or more points, t strictly increasing (std::invalid_argument).
 Spline natural_spline(std::vector<double> t, std::vector<double> value);
 
-/// A periodic cubic spline, twice continuously differentiable from one period to the next: the last value is the first. Requires
-/// four or more points, t strictly increasing (std::invalid_argument).
+/// A periodic cubic spline, twice continuously differentiable from one period to the next: the last
+/// value is the first. Requires four or more points, t strictly increasing (std::invalid_argument).
 Spline periodic_spline(std::vector<double> t, std::vector<double> value);
 
 /// `unit` * formula(t): the formula speaks in the file's unit.

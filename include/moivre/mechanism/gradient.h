@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How does a formula change along several directions at once? First-order arithmetic with a few partial derivatives.
+// How does a formula change along several directions at once? First-order arithmetic with a few
+// partial derivatives.
 //
-// A formula written once for a scalar type S (jet.h) gives with S = Gradient up to `kDirections` columns of a Jacobian at the cost of one
-// evaluation of its functions. Each partial is computed as a Jet's first derivative is.
+// A formula written once for a scalar type S (jet.h) gives with S = Gradient up to `kDirections`
+// columns of a Jacobian at the cost of one evaluation of its functions. Each partial is computed as
+// a Jet's first derivative is.
 #pragma once
 
 #include <array>
@@ -15,7 +17,8 @@ struct Gradient {
   /// The coordinates of two planar bodies, or of one spatial body.
   static constexpr std::size_t kDirections = 6;
 
-  /// Partial derivatives, in whole registers: read otherwise than they were written, they would wait for each other.
+  /// Partial derivatives, in whole registers: read otherwise than they were written, they would
+  /// wait for each other.
   alignas(16) std::array<double, kDirections> d{};
   double f = 0;
 

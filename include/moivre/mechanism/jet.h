@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
-// How does a formula change along a line? Second-order Taylor arithmetic, and its twin that sums magnitudes of terms.
+// How does a formula change along a line? Second-order Taylor arithmetic, and its twin that sums
+// magnitudes of terms.
 //
-// A Jet is (f, f', f'') of a function of one parameter s. A formula written once for a scalar type S gives
-//   S = Jet along e_k        -> one column of the Jacobian (f'); S = Gradient (gradient.h) has several at once
-//   S = Jet along (q', 1)    -> (Phi_q q')_q q' + 2 Phi_qt q' + Phi_tt (f''), the acceleration terms at once
-//   S = Magnitude            -> the sum of |terms|, the scale against which |Phi_i| is small or not.
-// Both take plain doubles as constants. Where a function is not defined (sqrt(-1)) the result is NaN.
+// A Jet is (f, f', f'') of a function of one parameter s. A formula written once for a scalar type
+// S gives
+//   S = Jet along e_k        -> one column of the Jacobian (f'); S = Gradient (gradient.h) has
+//                            several at once
+//   S = Jet along (q', 1)    -> (Phi_q q')_q q' + 2 Phi_qt q' + Phi_tt (f''), the acceleration
+//                            terms at once
+//   S = Magnitude            -> the sum of |terms|, the scale against which |Phi_i| is small or
+//                            not.
+// Both take plain doubles as constants. Where a function is not defined (sqrt(-1)) the result is
+// NaN.
 #pragma once
 
 #include <cmath>
@@ -58,8 +64,8 @@ inline Magnitude operator*(const Magnitude& a, const Magnitude& b) {
   return {a.f * b.f, a.sum * b.sum};
 }
 
-/// The magnitude of a function is its value plus what its argument's terms contribute to first order. So near a zero of
-/// sin(a) the scale is that of a, not zero.
+/// The magnitude of a function is its value plus what its argument's terms contribute to first
+/// order. So near a zero of sin(a) the scale is that of a, not zero.
 inline Magnitude chain(const Magnitude& a, double g, double dg, double) {
   return {g, std::abs(g) + std::abs(dg) * a.sum};
 }

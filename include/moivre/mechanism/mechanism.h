@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What is the mechanism? Bodies with named points, joints and drivers; or constraint equations typed by hand.
+// What is the mechanism? Bodies with named points, joints and drivers; or constraint equations
+// typed by hand.
 //
 // A file is one of two kinds (is_typed tells which):
 //   bodies     bodies[0] is the ground; joints tie bodies, drivers move them;
 //   equations  unknowns (q, in their order), constants and equations f(q, t) = 0.
 // Angles are radians and lengths are in the file's unit, whatever unit the file was written in.
-// A planar point has z = 0. Coordinates: planar [x, y, phi] a body, spatial [x, y, z, rx, ry, rz] a body (rotation
-// vector, docs/decisions/0010-spatial-coordinates.md), ground none.
-// Not supported: velocity (non-holonomic) and one-sided constraints; the reader refuses them with the reason.
+// A planar point has z = 0. Coordinates: planar [x, y, phi] a body, spatial [x, y, z, rx, ry, rz] a
+// body (rotation vector, docs/decisions/0010-spatial-coordinates.md), ground none.
+// Not supported: velocity (non-holonomic) and one-sided constraints; the reader refuses them with
+// the reason.
 #pragma once
 
 #include <Eigen/Core>
@@ -49,13 +51,15 @@ struct PointOf {
   std::size_t point = 0;
 };
 
-/// Teeth of the two wheels, signed: equal signs turn alike (internal mesh, open belt), opposite signs against each other (external
-/// mesh, crossed belt). Of pulleys, whole numbers in the ratio of their radii.
+/// Teeth of the two wheels, signed: equal signs turn alike (internal mesh, open belt), opposite
+/// signs against each other (external mesh, crossed belt). Of pulleys, whole numbers in the ratio
+/// of their radii.
 struct Gear {
   std::array<int, 2> teeth{1, 1};
   std::array<double, 2> radii{0, 0};  ///< belt
   std::size_t carrier = 0;            ///< body; angles are relative to it
-  /// Angle of the second wheel where the first stands at 0, of a pinion where its rack does; of a cam where its profile begins.
+  /// Angle of the second wheel where the first stands at 0, of a pinion where its rack does; of a
+  /// cam where its profile begins.
   double phase_rad = 0;
   bool has_all_meshings =
       false;  ///< closures in every meshing of the teeth, not in the drawn one alone
@@ -72,8 +76,9 @@ struct Joint {
   std::string name;           ///< given, or made from its points
   std::array<PointOf, 2> at;  ///< gear, belt, cam-lever: the bodies only
   std::array<Eigen::Vector3d, 2> axis{Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitX()};
-  ///< unit vectors, one in each body's frame. Planar: axis[0], the line of a prismatic joint, slot or rack; a cam's in its
-  ///< carrier. Spatial: the joint's axis or the plane's normal; the two pins of universal; axis[0] of a point on a line or plane
+  ///< unit vectors, one in each body's frame. Planar: axis[0], the line of a prismatic joint, slot
+  ///< or rack; a cam's in its carrier. Spatial: the joint's axis or the plane's normal; the two
+  ///< pins of universal; axis[0] of a point on a line or plane
   double turn_rad = 0;  ///< prismatic, weld: angle of the second body relative to the first
   double length = 0;    ///< rod; actuator that stands at a length, else 0
   double radius =
@@ -111,7 +116,8 @@ struct Driver {
   SourcePosition where;
 };
 
-/// A freedom on which nothing depends: a body, with all that cannot turn against it, turns about the line through two points.
+/// A freedom on which nothing depends: a body, with all that cannot turn against it, turns about
+/// the line through two points.
 struct Spin {
   std::size_t body = 0;
   std::array<PointOf, 2> line;
@@ -166,11 +172,13 @@ bool is_typed(const Mechanism& mechanism);
 inline constexpr double kLargestSize = 1e50;
 bool is_workable(double number);
 
-/// An angle further from 0 than so many turns (in radians: 6e6) is refused: double rounds it by 1e-9 rad.
+/// An angle further from 0 than so many turns (in radians: 6e6) is refused: double rounds it by
+/// 1e-9 rad.
 inline constexpr double kMostTurns = 1e6;
 bool is_workable_angle(double angle_rad);
 
-/// Throws std::invalid_argument, which names every driver, where t or what a driver prescribes at t cannot be worked with.
+/// Throws std::invalid_argument, which names every driver, where t or what a driver prescribes at t
+/// cannot be worked with.
 void require_drivers(const Mechanism& mechanism, double t);
 
 enum class CoordinateKind { length, angle, rotation_vector };
@@ -182,8 +190,8 @@ struct Coordinate {
   bool is_periodic = false;  ///< an angle for which a whole turn more is the same pose
 };
 
-/// q, in its order. An unknown angle that equations use outside sin, cos and tan, or with a factor that is not whole, is not
-/// periodic.
+/// q, in its order. An unknown angle that equations use outside sin, cos and tan, or with a factor
+/// that is not whole, is not periodic.
 std::vector<Coordinate> coordinates(const Mechanism& mechanism);
 
 /// Whether the driver prescribes an angle, or a length.
@@ -192,8 +200,9 @@ CoordinateKind kind_of(const Mechanism& mechanism, const Driver& driver);
 /// What it drives, "coupler.P.x" where it is a point's coordinate.
 std::string label_of(const Driver& driver);
 
-/// A start for Newton's method. Coordinates come from the file's guess, and driven angles from their drivers at time t. Other
-/// positions x, y (z) are found joint by joint from the ground outwards. Other coordinates are 0.
+/// A start for Newton's method. Coordinates come from the file's guess, and driven angles from
+/// their drivers at time t. Other positions x, y (z) are found joint by joint from the ground
+/// outwards. Other coordinates are 0.
 Eigen::VectorXd initial_guess(const Mechanism& mechanism, double t = 0);
 
 }  // namespace moivre

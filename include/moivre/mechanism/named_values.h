@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which coordinates does a user give values by name, and what is q with them? A guess "crank.phi = 40" in the file's units.
+// Which coordinates does a user give values by name, and what is q with them? A guess "crank.phi =
+// 40" in the file's units.
 //
 // Angles are taken in the file's unit, degrees or radians, where that is asked for; q has radians.
 #pragma once
@@ -20,7 +21,8 @@ struct NamedValue {
 
 enum class AngleUnit { of_the_file, radians };
 
-/// Every broken rule as a sentence: names that are no coordinate, or given twice, values that cannot be worked with.
+/// Every broken rule as a sentence: names that are no coordinate, or given twice, values that
+/// cannot be worked with.
 std::vector<std::string> broken_rules(const Mechanism& mechanism,
                                       const std::vector<NamedValue>& given, AngleUnit unit);
 

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// How far is q from an assembled mechanism, and how does that change? The constraints Phi(q, t) = 0 with all their derivatives.
+// How far is q from an assembled mechanism, and how does that change? The constraints Phi(q, t) = 0
+// with all their derivatives.
 //
-//   Phi: R^n x R -> R^m, first the joints' rows (or the typed equations), one row per held spin (spins.h), then one per driver.
+//   Phi: R^n x R -> R^m, first the joints' rows (or the typed equations), one row per held spin
+//   (spins.h), then one per driver.
 //   velocity      Phi_q q'  = -Phi_t
 //   acceleration  Phi_q q'' = gamma = -((Phi_q q')_q q' + 2 Phi_qt q' + Phi_tt)
 // Symbols: q (n coordinates), t seconds, Phi_q (m x n, row i = constraint i), qdot = q'.
-// Rows that compare angles (turns, gears, angle drivers) are taken to the nearest whole turn: an angle and the same
-// angle plus 2 pi are the same pose. Derivatives come from Taylor arithmetic, exact to rounding.
-// Not defined: derivatives where a rod's ends meet are zero rows (the rank shows it); where sqrt or log leave their
-// domain the row is NaN.
+// Rows that compare angles (turns, gears, angle drivers) are taken to the nearest whole turn: an
+// angle and the same angle plus 2 pi are the same pose. Derivatives come from Taylor arithmetic,
+// exact to rounding.
+// Not defined: derivatives where a rod's ends meet are zero rows (the rank shows it); where sqrt or
+// log leave their domain the row is NaN.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,8 +26,8 @@ namespace moivre {
 class Constraint;
 struct Magnitude;
 
-/// How each row of Phi changes with the value that one driver prescribes, whatever its speed: -1 in the row of a driven angle, -2 L in that
-/// of an actuator of length L.
+/// How each row of Phi changes with the value that one driver prescribes, whatever its speed: -1 in
+/// the row of a driven angle, -2 L in that of an actuator of length L.
 struct DriverRates {
   Eigen::MatrixXd first;   ///< m x d, d Phi / d f_a
   Eigen::MatrixXd second;  ///< m x d, d2 Phi / d f_a^2; the mixed ones are 0
@@ -45,9 +48,11 @@ class Phi {
   std::vector<std::vector<Eigen::Index>> reads() const;
   /// Names of the bodies (or unknowns) that Coordinate::group refers to.
   const std::vector<std::string>& group_names() const { return group_names_; }
-  /// The mechanism's size: its largest length, of points in their bodies and of rods; 1 where it has none.
+  /// The mechanism's size: its largest length, of points in their bodies and of rods; 1 where it
+  /// has none.
   double length() const { return length_; }
-  /// The mean of its lengths (the geometric one) for each coordinate that is a length; 1 for an angle.
+  /// The mean of its lengths (the geometric one) for each coordinate that is a length; 1 for an
+  /// angle.
   Eigen::VectorXd own_units() const;
   /// Of each row the power of that mean that it is: its square of a rod, 1 of an angle.
   Eigen::VectorXd own_row_units() const;
@@ -65,7 +70,8 @@ class Phi {
   /// 2 Phi_qt q'
   Eigen::VectorXd mixed(const Eigen::VectorXd& q, const Eigen::VectorXd& qdot, double t) const;
 
-  /// The second derivative along the line (q + s qdot, t + s tdot): (Phi_q q')_q q' + 2 t' Phi_qt q' + t'^2 Phi_tt.
+  /// The second derivative along the line (q + s qdot, t + s tdot): (Phi_q q')_q q' + 2 t' Phi_qt
+  /// q' + t'^2 Phi_tt.
   Eigen::VectorXd second_derivative(const Eigen::VectorXd& q, const Eigen::VectorXd& qdot, double t,
                                     double tdot) const;
 
@@ -83,7 +89,8 @@ class Phi {
   /// The same pose with periodic angles in (-pi, pi] and rotation vectors no longer than pi.
   Eigen::VectorXd canonical(const Eigen::VectorXd& q) const;
 
-  /// Whether a rotation vector is longer than 5 pi / 4, and on its way to 2 pi, where its derivative is singular.
+  /// Whether a rotation vector is longer than 5 pi / 4, and on its way to 2 pi, where its
+  /// derivative is singular.
   bool has_long_rotation(const Eigen::VectorXd& q) const;
 
  private:
@@ -120,17 +127,20 @@ Eigen::VectorXd own_sizes(const Phi& phi);
 /// max_i |Phi_i| / (sum of |terms| of Phi_i), 0 for a row without terms.
 double scaled_residual(const Phi& phi, const Eigen::VectorXd& q, double t);
 
-/// The scale of each row at poses of the mechanism's size: its terms, and its derivatives times the largest length, or a radian.
+/// The scale of each row at poses of the mechanism's size: its terms, and its derivatives times the
+/// largest length, or a radian.
 /// The terms alone may be rounding noise; this scale is not.
 Eigen::VectorXd row_sizes(const Phi& phi, const Eigen::VectorXd& q, double t);
 
-/// scaled_residual where that is rounding, else max_i |Phi_i| / row_sizes_i: small at assembled poses, at the origin too.
+/// scaled_residual where that is rounding, else max_i |Phi_i| / row_sizes_i: small at assembled
+/// poses, at the origin too.
 double residual_by_size(const Phi& phi, const Eigen::VectorXd& q, double t);
-/// A pose counts as assembled up to this residual_by_size. Poses from Newton's method are exact to rounding.
+/// A pose counts as assembled up to this residual_by_size. Poses from Newton's method are exact to
+/// rounding.
 inline constexpr double kAssembled = 1e-9;
 
-/// By how much each row does not close, as a length in the file's unit; m. A row that compares angles is taken at a lever arm of
-/// phi.length().
+/// By how much each row does not close, as a length in the file's unit; m. A row that compares
+/// angles is taken at a lever arm of phi.length().
 Eigen::VectorXd row_misfits(const Phi& phi, const Eigen::VectorXd& q, double t);
 /// Of the worst row: by how much the pose does not close.
 double misfit(const Phi& phi, const Eigen::VectorXd& q, double t);

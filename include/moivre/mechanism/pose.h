@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where does q put a body and its points, how fast do they move, and where do the joints stand?
 //
-// Positions by Taylor arithmetic along q(s): with q, q', q'' given, a point's position, velocity and acceleration follow exactly.
+// Positions by Taylor arithmetic along q(s): with q, q', q'' given, a point's position, velocity
+// and acceleration follow exactly.
 // Not for typed mechanisms, which have no bodies.
 #pragma once
 
@@ -32,11 +33,13 @@ Eigen::Vector3d point_position(const Mechanism& mechanism, const PointOf& point,
 /// R of a body: columns are its axes in the ground frame.
 Eigen::Matrix3d orientation(const Mechanism& mechanism, std::size_t body, const Eigen::VectorXd& q);
 
-/// The frame of a spatial joint in a body: z along the axis, x by a fixed rule, so that equal axes make equal frames.
+/// The frame of a spatial joint in a body: z along the axis, x by a fixed rule, so that equal axes
+/// make equal frames.
 Eigen::Matrix3d joint_frame(const Eigen::Vector3d& axis);
 
-/// The joint's coordinate (joint_type.h): displacement of the second point along the line or distance from the first, or angle of
-/// the second body relative to the first in [-pi, pi]; nothing for joints that have none.
+/// The joint's coordinate (joint_type.h): displacement of the second point along the line or
+/// distance from the first, or angle of the second body relative to the first in [-pi, pi]; nothing
+/// for joints that have none.
 std::optional<double> joint_coordinate(const Mechanism& mechanism, const Joint& joint,
                                        const Eigen::VectorXd& q);
 
@@ -47,16 +50,19 @@ struct ScalarState {
   double acceleration = 0;
 };
 
-/// What joint_coordinate tells, in motion. Planar angles go on beyond half a turn with those of the bodies.
+/// What joint_coordinate tells, in motion. Planar angles go on beyond half a turn with those of the
+/// bodies.
 std::optional<ScalarState> joint_state(const Mechanism& mechanism, const Joint& joint,
                                        const Eigen::VectorXd& q, const Eigen::VectorXd& qdot,
                                        const Eigen::VectorXd& qddot);
 
-/// Angle of the joint's second body relative to the first: planar; spatial about the joint's axis, in [-pi, pi].
+/// Angle of the joint's second body relative to the first: planar; spatial about the joint's axis,
+/// in [-pi, pi].
 ScalarState turn_state(const Mechanism& mechanism, const Joint& joint, const Eigen::VectorXd& q,
                        const Eigen::VectorXd& qdot, const Eigen::VectorXd& qddot);
 
-/// Whether the joint stands within its limits (true where it has none); angles count modulo whole turns.
+/// Whether the joint stands within its limits (true where it has none); angles count modulo whole
+/// turns.
 bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const Eigen::VectorXd& q);
 
 /// The first joint that does not; nullptr where all do.

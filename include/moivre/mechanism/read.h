@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Which mechanism does this file hold? The reader of Moivre's TOML mechanism files.
 //
-// Every fault is named in one ParseError, with its line and what to do; a fault of TOML itself ends the reading at once.
-// Keys by example: docs/mechanism-file.md. An unknown key is a fault that names the nearest known one.
+// Every fault is named in one ParseError, with its line and what to do; a fault of TOML itself ends
+// the reading at once.
+// Keys by example: docs/mechanism-file.md. An unknown key is a fault that names the nearest known
+// one.
 #pragma once
 
 #include "moivre/expression/source.h"

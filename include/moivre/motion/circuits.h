@@ -1,21 +1,27 @@
 // SPDX-License-Identifier: MIT
-// Which closures can be reached from which without taking the mechanism apart? The branches of a motion, joined to circuits.
+// Which closures can be reached from which without taking the mechanism apart? The branches of a
+// motion, joined to circuits.
 //
-// A circuit is a connected piece of the curve of assembled poses over the drivers' range [ChaseMirth93]. Its parts are the
-// branches of a motion (motion.h). Their ends are joined
+// A circuit is a connected piece of the curve of assembled poses over the drivers' range
+// [ChaseMirth93]. Its parts are the branches of a motion (motion.h). Their ends are joined
 //   at a dead point     two branches meet: the driver turns back there, the mechanism goes on
 //   at a bifurcation    branches cross: a change point
-//   after a full turn   the drivers at `to` are as at `from`: a branch continues in the one that begins with its last pose
-// Two closures on different circuits are a circuit defect. Two on one circuit with a dead point between are a branch defect.
-// A stretch is a part of a circuit without a dead point. It is the "branch" of [ChaseMirth93], which is not cut where a motion
-// happens to begin.
+//   after a full turn   the drivers at `to` are as at `from`: a branch continues in the one that
+//                       begins with its last pose
+// Two closures on different circuits are a circuit defect. Two on one circuit with a dead point
+// between are a branch defect.
+// A stretch is a part of a circuit without a dead point. It is the "branch" of [ChaseMirth93],
+// which is not cut where a motion happens to begin.
 //
-// Angles are continuous along a branch, and over a join up to whole turns. Around every closed loop of a circuit an angle either
-// returns to its value, then it rocks and has a range, or it changes by whole turns, then it turns.
+// Angles are continuous along a branch, and over a join up to whole turns. Around every closed loop
+// of a circuit an angle either returns to its value, then it rocks and has a range, or it changes
+// by whole turns, then it turns.
 // Ranges are those of the curves, to about 1e-7, and do not depend on the number of samples.
 // Symbols: angles in radians, lengths in the file's unit.
-// Edges: if the drivers do not return, as over half a turn, circuits may be joined outside of the range (`notes`).
-// Not seen: that a driver which turns back passes its poses again; all joins of a dead point at `from` itself.
+// Edges: if the drivers do not return, as over half a turn, circuits may be joined outside of the
+// range (`notes`).
+// Not seen: that a driver which turns back passes its poses again; all joins of a dead point at
+// `from` itself.
 #pragma once
 
 #include <array>
@@ -99,9 +105,10 @@ std::vector<std::optional<Passage>> passages_from(const Circuits& circuits, std:
 /// The branches that are there at MotionResult::from, as indices: its closures, by their names.
 std::vector<std::size_t> first_branches(const MotionResult& motion);
 
-/// The motion with only those branches that can be reached from these closures at `from`. Checkpoints do not change.
-/// A closure is named by its id, "drawn" is the one that was drawn; of independent sub-chains E.H has one of each, and 1:E is any with E of the
-/// first one.
+/// The motion with only those branches that can be reached from these closures at `from`.
+/// Checkpoints do not change.
+/// A closure is named by its id, "drawn" is the one that was drawn; of independent sub-chains E.H
+/// has one of each, and 1:E is any with E of the first one.
 /// Throws std::invalid_argument, which lists the closures, if one does not exist.
 MotionResult reachable_from(MotionResult motion, const Circuits& circuits,
                             const std::vector<std::string>& closures);

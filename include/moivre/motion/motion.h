@@ -1,23 +1,32 @@
 // SPDX-License-Identifier: MIT
-// How does every closure of a mechanism move while the drivers move, and is no branch exchanged for another?
+// How does every closure of a mechanism move while the drivers move, and is no branch exchanged for
+// another?
 //
-// All closures at `from` are followed along the drivers (kinematics/branch.h). At checkpoints the closures are solved again, and
-// must match the branches one to one:
-//   two branches at one closure   followed again with shorter steps, and so is a branch that has another one's closure
-//   a closure without a branch    a branch began since the last checkpoint: it is followed both ways and gets a new id
+// All closures at `from` are followed along the drivers (kinematics/branch.h). At checkpoints the
+// closures are solved again, and must match the branches one to one:
+//   two branches at one closure   followed again with shorter steps, and so is a branch that has
+//                                 another one's closure
+//   a closure without a branch    a branch began since the last checkpoint: it is followed both
+//                                 ways and gets a new id
 //   a branch without a closure    the solver lost a closure; `failures` says so
-// Two branches that were exchanged for each other would match too. So each one is followed back from its last checkpoint to where
-// it was found, with other steps, and must pass through the same closures.
-// If a branch ends at a dead point, the other branch there is found by following the curve around the fold.
-// Ids do not change during the motion: A, B, ... as find_closures gives them at `from`, then new ones as branches begin.
-// If closures are complex, a branch could begin and end unseen between two checkpoints. So closures are solved between any two
-// neighbouring events, and complex ones are followed to where they become real, however briefly. Where they cannot be followed, or limits
-// hide closures, these are solved 16 times between checkpoints. A pose that exists for an instant only is not a branch. `left_out` says of
-// both. The scenes in between are checkpoints of the result, too.
-// Sub-chains that share no more than what the drivers place (sub_chains.h) are followed each on its own: a branch of the whole is
-// one of each, from where the last of them begins to where the first ends. They are listed up to kMostBranchesListed. Of more, one
-// for each branch of a sub-chain is listed, and circuits are told of each sub-chain alone.
-// Not supported: what find_closures does not support. follow_guesses takes those mechanisms and solves no polynomials.
+// Two branches that were exchanged for each other would match too. So each one is followed back
+// from its last checkpoint to where it was found, with other steps, and must pass through the same
+// closures.
+// If a branch ends at a dead point, the other branch there is found by following the curve around
+// the fold.
+// Ids do not change during the motion: A, B, ... as find_closures gives them at `from`, then new
+// ones as branches begin.
+// If closures are complex, a branch could begin and end unseen between two checkpoints. So closures
+// are solved between any two neighbouring events, and complex ones are followed to where they
+// become real, however briefly. Where they cannot be followed, or limits hide closures, these are
+// solved 16 times between checkpoints. A pose that exists for an instant only is not a branch.
+// `left_out` says of both. The scenes in between are checkpoints of the result, too.
+// Sub-chains that share no more than what the drivers place (sub_chains.h) are followed each on its
+// own: a branch of the whole is one of each, from where the last of them begins to where the first
+// ends. They are listed up to kMostBranchesListed. Of more, one for each branch of a sub-chain is
+// listed, and circuits are told of each sub-chain alone.
+// Not supported: what find_closures does not support. follow_guesses takes those mechanisms and
+// solves no polynomials.
 #pragma once
 
 #include <Eigen/Core>
@@ -45,8 +54,8 @@ struct MotionOptions {
   BranchOptions branch;
   FollowBranch follow = follow_branch;
   SolveOptions solve;  ///< of the closures, at `from` and at every checkpoint
-  /// Closures of independent sub-chains that are listed in any case, though there are more than kMostBranchesListed: "G.H.C.B" has one of
-  /// each. So is the one that was drawn.
+  /// Closures of independent sub-chains that are listed in any case, though there are more than
+  /// kMostBranchesListed: "G.H.C.B" has one of each. So is the one that was drawn.
   std::vector<std::string> asked;
   /// Called with the share of the work that is done, in [0, 1]; may be empty.
   std::function<void(double)> progress;
@@ -55,7 +64,8 @@ struct MotionOptions {
 /// Every broken rule as a sentence; empty when the options can be used.
 std::vector<std::string> validate(const MotionOptions& options);
 
-/// Throws std::invalid_argument with every broken rule, or where a driver has no value at `from` or `to`.
+/// Throws std::invalid_argument with every broken rule, or where a driver has no value at `from` or
+/// `to`.
 void require_workable(const Mechanism& mechanism, const MotionOptions& options);
 
 struct MotionBranch {
@@ -137,17 +147,18 @@ struct MotionSubChain {
 /// Value of each driver.
 std::vector<double> driver_values(const Mechanism& mechanism, double time);
 
-/// The time that shows the whole motion from `from` on: one turn of the first driver if it turns by a parabola, the rest of its
-/// table, else 1 s.
+/// The time that shows the whole motion from `from` on: one turn of the first driver if it turns by
+/// a parabola, the rest of its table, else 1 s.
 double natural_duration(const Mechanism& mechanism, double from = 0);
 
-/// Throws std::invalid_argument where the mechanism or the options are not supported, before any tracking.
+/// Throws std::invalid_argument where the mechanism or the options are not supported, before any
+/// tracking.
 MotionResult find_motion(const Mechanism& mechanism, const Tracker& tracker,
                          const MotionOptions& options = {},
                          const std::atomic<bool>& stop = std::atomic<bool>{false});
 
-/// The same from given guesses at `from`, each assembled by Newton-Raphson first. Equations need not be polynomials. No closures
-/// are solved, so there are no checkpoints.
+/// The same from given guesses at `from`, each assembled by Newton-Raphson first. Equations need
+/// not be polynomials. No closures are solved, so there are no checkpoints.
 MotionResult follow_guesses(const Mechanism& mechanism, const std::vector<Eigen::VectorXd>& guesses,
                             const MotionOptions& options = {},
                             const std::atomic<bool>& stop = std::atomic<bool>{false});

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// How is a path followed to a root that double-double cannot part from its neighbours? As tracker/fine_tracker.h says, in a hundred
-// digits or in three hundred.
+// How is a path followed to a root that double-double cannot part from its neighbours? As
+// tracker/fine_tracker.h says, in a hundred digits or in three hundred.
 //
-// m roots within d of each other need about m log10(1/d) digits: to part them, their polynomial has to be known to d^m.
+// m roots within d of each other need about m log10(1/d) digits: to part them, their polynomial has
+// to be known to d^m.
 // Not supported: more digits, since 1 - t, a double, ends at 1e-308.
 #pragma once
 

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-// To how many digits is a root known? To any given number: Newton's method in multiprecision, with a bound.
+// To how many digits is a root known? To any given number: Newton's method in multiprecision, with
+// a bound.
 //
-//   dx = -J(x)^{-1} F(x),  beta = |dx|,  gamma >= sup_k |J^{-1} D^k F / k!|^{1/(k-1)},  alpha = beta gamma
-//   alpha < (13 - 3 sqrt 17) / 4  ==>  exactly one root x*, |x - x*| <= 2 beta, Newton converges quadratically
+//   dx = -J(x)^{-1} F(x),  beta = |dx|,  gamma >= sup_k |J^{-1} D^k F / k!|^{1/(k-1)},  alpha =
+//                                        beta gamma
+//   alpha < (13 - 3 sqrt 17) / 4  ==>  exactly one root x*, |x - x*| <= 2 beta, Newton converges
+//                                      quadratically
 //
-// F: n polynomials in n unknowns, its rational coefficients rounded at the working precision and never before, so
-// that the digits are those of the file's system. gamma is bounded from the coefficients' norms, and beta takes in what
-// rounding did to F(x). The working precision doubles with the digits that are right; it goes on
-// until the bound covers the digits asked for. Bounds are evaluated in the working precision, not in intervals.
+// F: n polynomials in n unknowns, its rational coefficients rounded at the working precision and
+// never before, so that the digits are those of the file's system. gamma is bounded from the
+// coefficients' norms, and beta takes in what rounding did to F(x). The working precision doubles
+// with the digits that are right; it goes on until the bound covers the digits asked for. Bounds
+// are evaluated in the working precision, not in intervals.
 // A singular root has no such bound: `converged` is false, and no digit is given.
 // Not supported: systems that are not square. Source: [ShubSmale93], [HauensteinSottile12].
 #pragma once
@@ -38,9 +42,10 @@ struct ReferenceRoot {
   int working_digits = 0;  ///< of the highest precision that was needed; 0: not begun
 };
 
-/// The root that Newton's method reaches from each of `approximations`, to `digits` significant digits.
-/// threads: how many work on it; the result does not depend on them. Once `stop` is true no further root is begun; those have
-/// working_digits = 0. Throws std::invalid_argument when digits is not
+/// The root that Newton's method reaches from each of `approximations`, to `digits` significant
+/// digits.
+/// threads: how many work on it; the result does not depend on them. Once `stop` is true no further
+/// root is begun; those have working_digits = 0. Throws std::invalid_argument when digits is not
 /// in [1, kMostDigits], F is not square or an approximation has another dimension.
 std::vector<ReferenceRoot> reference_roots(
     const System& f, const std::vector<Point>& approximations, int digits, int threads = 1,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How are values written as bytes, and read back to the last bit?
 //
-// As they stand in memory: what this program has written on this kind of machine it reads again. Lengths stand before what they count.
+// As they stand in memory: what this program has written on this kind of machine it reads again.
+// Lengths stand before what they count.
 // Edges: bytes that end too soon, or too late, throw std::invalid_argument.
 #pragma once
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How are complex numbers multiplied in inner loops? By the textbook product, in which a NaN stays a NaN.
+// How are complex numbers multiplied in inner loops? By the textbook product, in which a NaN stays
+// a NaN.
 //
-// std::complex's operator* looks for NaN after every product (C99 Annex G) and costs several times as much.
-// `product` and `add_product` are what the tape, the LU and the homotopy multiply with; other scalars overload them.
+// std::complex's operator* looks for NaN after every product (C99 Annex G) and costs several times
+// as much.
+// `product` and `add_product` are what the tape, the LU and the homotopy multiply with; other
+// scalars overload them.
 #pragma once
 
 #include <algorithm>

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// How has a number twice the digits of double? As an unevaluated sum hi + lo of two doubles (106 bits).
+// How has a number twice the digits of double? As an unevaluated sum hi + lo of two doubles (106
+// bits).
 //
 //   |lo| <= ulp(hi)/2;  sums and products by error-free transformations [Dekker71], [Knuth98];
-//   relative error of a sum or product at most 2^-102, of a quotient 2^-100. The exponent range is double's: values
-//   below 1e-292 lose digits.
-//   Complex products and sums of products gather their errors and add them once: at most 2^-100 of the sum of the terms'
-//   magnitudes, as a scalar product in any floating arithmetic, and not of the result where terms cancel.
-// DoubleDouble is a real scalar of a tape; ComplexDoubleDouble the complex one. Not supported: square roots,
-// transcendental functions, NaN payloads.
+//   relative error of a sum or product at most 2^-102, of a quotient 2^-100. The exponent range is
+//   double's: values below 1e-292 lose digits.
+//   Complex products and sums of products gather their errors and add them once: at most 2^-100 of
+//   the sum of the terms' magnitudes, as a scalar product in any floating arithmetic, and not of
+//   the result where terms cancel.
+// DoubleDouble is a real scalar of a tape; ComplexDoubleDouble the complex one. Not supported:
+// square roots, transcendental functions, NaN payloads.
 #pragma once
 
 #include <cmath>

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
-// How are rigid displacements multiplied, whatever their numbers are? As dual quaternions: integers, rationals, polynomials, doubles.
+// How are rigid displacements multiplied, whatever their numbers are? As dual quaternions:
+// integers, rationals, polynomials, doubles.
 //
-//   X = q + eps g,  eps^2 = 0;  a turn q and a shift d behind it:  g = d q / 2,  d = 2 g conj(q) / |q|^2.
-// X is a displacement where q . g = 0 and q != 0, and k X is the same one for every number k != 0: Study's quadric in P^7. So nothing
-// has to be of norm 1, and rational displacements stay rational. Products are in the order of transforms: X Y does Y first.
-// Symbols: q, g four numbers each, the first the real part; conj turns the signs of the other three; X[k] number k of the eight, q first.
+//   X = q + eps g,  eps^2 = 0;  a turn q and a shift d behind it:  g = d q / 2,  d = 2 g conj(q) /
+//                               |q|^2.
+// X is a displacement where q . g = 0 and q != 0, and k X is the same one for every number k != 0:
+// Study's quadric in P^7. So nothing has to be of norm 1, and rational displacements stay rational.
+// Products are in the order of transforms: X Y does Y first.
+// Symbols: q, g four numbers each, the first the real part; conj turns the signs of the other
+// three; X[k] number k of the eight, q first.
 // Sources: [HustySchroecker10], [HustyPfurnerSchroecker07].
 #pragma once
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which linear forms vanish on some displacements of integers, and which tell coordinates among them? Exactly, without fractions.
+// Which linear forms vanish on some displacements of integers, and which tell coordinates among
+// them? Exactly, without fractions.
 //
-// A factor changes no displacement: rational ones become integers. A form is an element of the dual space (value() of
-// dual_quaternion.h).
-// Which forms: multiples of rows that are 1 in a column of their own, 0 in those of the others. The other columns are those of the
-// largest pivots, lengths counting in units of `length`, so that no form is nearly the sum of others.
+// A factor changes no displacement: rational ones become integers. A form is an element of the dual
+// space (value() of dual_quaternion.h).
+// Which forms: multiples of rows that are 1 in a column of their own, 0 in those of the others. The
+// other columns are those of the largest pivots, lengths counting in units of `length`, so that no
+// form is nearly the sum of others.
 #pragma once
 
 #include <vector>
@@ -30,7 +32,8 @@ DualQuaternion<double> rounded(const ExactDisplacement& g);
 std::vector<ExactDisplacement> vanishing_forms(const std::vector<ExactDisplacement>& vectors,
                                                double length = 1);
 
-/// Values on the span of linearly independent vectors: `factor` times the coordinates of a displacement among them.
+/// Values on the span of linearly independent vectors: `factor` times the coordinates of a
+/// displacement among them.
 struct CoordinateForms {
   std::vector<ExactDisplacement> forms;
   Integer factor;

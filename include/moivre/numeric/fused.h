@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// How does a program for every x86-64 use fused multiply-adds where the CPU has them? One function twice, chosen once.
+// How does a program for every x86-64 use fused multiply-adds where the CPU has them? One function
+// twice, chosen once.
 //
-// A program for the baseline instruction set calls the C library for std::fma. Double-double needs one for every product and
-// spends most of its time in these calls. `fused(f)` runs f as compiled for the FMA instructions, with all that it calls
-// inlined, where the CPU has them, else as it stands. std::fma rounds the same either way. Worth it around whole evaluations,
-// not around single products. On other processors std::fma is an instruction anyway.
+// A program for the baseline instruction set calls the C library for std::fma. Double-double needs
+// one for every product and spends most of its time in these calls. `fused(f)` runs f as compiled
+// for the FMA instructions, with all that it calls inlined, where the CPU has them, else as it
+// stands. std::fma rounds the same either way. Worth it around whole evaluations, not around single
+// products. On other processors std::fma is an instruction anyway.
 #pragma once
 
 namespace moivre {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which integers is a rational made of? Exact ones of any length; how it is made of two of them and taken apart.
+// Which integers is a rational made of? Exact ones of any length; how it is made of two of them and
+// taken apart.
 //
-// Boost's cpp_int carries the arithmetic. Its headers are heavy: only sources that need numerators include this one.
+// Boost's cpp_int carries the arithmetic. Its headers are heavy: only sources that need numerators
+// include this one.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -27,8 +29,8 @@ const Integer& numerator(const Rational& a);
 /// Positive.
 const Integer& denominator(const Rational& a);
 
-/// The greatest common divisor, >= 0, of any two integers; of 0 and 0 it is 0. Lehmer's algorithm [Knuth98, 4.5.2], which
-/// takes half a word of quotients at a time, where Boost's gcd takes a bit.
+/// The greatest common divisor, >= 0, of any two integers; of 0 and 0 it is 0. Lehmer's algorithm
+/// [Knuth98, 4.5.2], which takes half a word of quotients at a time, where Boost's gcd takes a bit.
 Integer common_divisor(Integer a, Integer b);
 
 /// 0 for 0.

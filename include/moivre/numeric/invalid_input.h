@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What does the library throw where it is called wrongly? One exception, before any work, that names every broken rule.
+// What does the library throw where it is called wrongly? One exception, before any work, that
+// names every broken rule.
 //
-// A rule is a sentence in the library's words; what() is all of them, separated by "; ". A fault in a text has a place as well
-// (ParseError, expression/source.h). What mathematics answers (no root, singular, undecided) is a value, never an exception.
+// A rule is a sentence in the library's words; what() is all of them, separated by "; ". A fault in
+// a text has a place as well (ParseError, expression/source.h). What mathematics answers (no root,
+// singular, undecided) is a value, never an exception.
 #pragma once
 
 #include <stdexcept>

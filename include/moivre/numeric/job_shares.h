@@ -5,8 +5,9 @@
 //   tell()   what became of it, as exact bytes, for all
 //   wait()   what became of those of other processes
 //
-// Every process takes all outcomes and goes on with them, as if it had done all jobs. So the outcome of a job may depend on nothing
-// but what the list's fingerprint is made of (moivre/numeric/observations.h). One that ends leaves what it has begun to the others.
+// Every process takes all outcomes and goes on with them, as if it had done all jobs. So the
+// outcome of a job may depend on nothing but what the list's fingerprint is made of
+// (moivre/numeric/observations.h). One that ends leaves what it has begun to the others.
 #pragma once
 
 #include <atomic>
@@ -30,12 +31,13 @@ class JobShares {
   virtual std::optional<std::uint64_t> draw() = 0;
   /// Of a job that was drawn, or whose outcome was known. Thread-safe.
   virtual void tell(std::uint64_t job, std::string outcome) = 0;
-  /// Outcomes that others have told since, when there are any; none: there are jobs to draw again. nullopt: all outcomes were told, or
-  /// the run is to stop.
+  /// Outcomes that others have told since, when there are any; none: there are jobs to draw again.
+  /// nullopt: all outcomes were told, or the run is to stop.
   virtual std::optional<std::vector<ToldOutcome>> wait(const std::atomic<bool>& stop) = 0;
 };
 
-/// Does jobs as long as there are any to draw, and takes what others tell. do_mine() draws until there is none.
+/// Does jobs as long as there are any to draw, and takes what others tell. do_mine() draws until
+/// there is none.
 inline void do_together(JobShares& shares, const std::atomic<bool>& stop,
                         const std::function<void()>& do_mine,
                         const std::function<void(const ToldOutcome&)>& take) {

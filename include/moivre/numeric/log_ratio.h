@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // How is log(a / b) of two doubles found in a real type of more digits?
 //
-//   a / b = 2^e m, 1 / sqrt 2 < m < sqrt 2;  log m = 2 z (1 + z^2 (1/3 + z^2 (1/5 + ...))), z = (m - 1) / (m + 1)
+//   a / b = 2^e m, 1 / sqrt 2 < m < sqrt 2;  log m = 2 z (1 + z^2 (1/3 + z^2 (1/5 + ...))), z = (m
+//                                            - 1) / (m + 1)
 //
-// |z| < (sqrt 2 - 1) / (sqrt 2 + 1) = 0.1716, so each term adds a digit and a half, and more where a / b is near a power of two.
+// |z| < (sqrt 2 - 1) / (sqrt 2 + 1) = 0.1716, so each term adds a digit and a half, and more where
+// a / b is near a power of two.
 // A division takes as long as several terms: 1/3, 1/5, ... are made once.
 // Edges: a, b > 0 and finite. S: the complex scalar whose real type it is (numeric/scalar.h).
 #pragma once

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which of many points may be near this one? Those whose numbers are near its own; the others need no look.
+// Which of many points may be near this one? Those whose numbers are near its own; the others need
+// no look.
 //
-// A point's number is one that all its coordinates have a part in: near points have near numbers, and others agree but by chance.
+// A point's number is one that all its coordinates have a part in: near points have near numbers,
+// and others agree but by chance.
 // A look costs O(log N), and O(1) for each number that is found.
-// Edges: a point with a coordinate that is NaN is near none. All points of no coordinates have the number 0: each is near each.
+// Edges: a point with a coordinate that is NaN is near none. All points of no coordinates have the
+// number 0: each is near each.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +26,8 @@ inline double max_distance(const Point& x, const Point& y) {
   return largest;
 }
 
-/// Re of a combination of the coordinates with fixed factors of modulus 1: it moves by no more than n max |dx_i|.
+/// Re of a combination of the coordinates with fixed factors of modulus 1: it moves by no more than
+/// n max |dx_i|.
 inline double number_of(const Point& x) {
   double sum = 0;
   for (std::size_t k = 0; k < x.size(); ++k) {
@@ -43,7 +47,8 @@ class NearNumbers {
     std::sort(sorted_.begin(), sorted_.end());
   }
 
-  /// Calls visit(k) for each point k whose number is no farther than `reach` from this one, by ascending number.
+  /// Calls visit(k) for each point k whose number is no farther than `reach` from this one, by
+  /// ascending number.
   template <class Visit>
   void visit_near(double number, double reach, const Visit& visit) const {
     auto next =

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What has long work observed that need not be observed again? The outcomes of jobs, kept beyond the process.
+// What has long work observed that need not be observed again? The outcomes of jobs, kept beyond
+// the process.
 //
-//   list     jobs that are done together; its fingerprint is made of everything that their outcomes depend on
+//   list     jobs that are done together; its fingerprint is made of everything that their outcomes
+//            depend on
 //   job      its number in the list
 //   outcome  exact bytes (numeric/bytes.h), and its kind, for those who look on
 //
-// Whatever lies between two lists follows from them and from what the run was asked. So a run to which the outcomes are told again is the run
-// that they were first told to, to the last bit (decision 77).
+// Whatever lies between two lists follows from them and from what the run was asked. So a run to
+// which the outcomes are told again is the run that they were first told to, to the last bit
+// (decision 77).
 #pragma once
 
 #include <cstdint>
@@ -36,7 +39,8 @@ class Observations {
   /// Takes outcomes, which are kept for good a little later, all of them or none. Thread-safe.
   virtual void keep(const Fingerprint& list, std::span<const JobOutcome> outcomes) = 0;
 
-  /// Of a list of so many jobs, numbered from 0, that other processes do too; nullptr: this one is alone. Thread-safe.
+  /// Of a list of so many jobs, numbered from 0, that other processes do too; nullptr: this one is
+  /// alone. Thread-safe.
   virtual std::unique_ptr<JobShares> share(const Fingerprint& /*list*/, std::uint64_t /*jobs*/) {
     return nullptr;
   }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// What lies between two places where a function, its slope and its bend are known? The polynomial of degree five that has all six.
+// What lies between two places where a function, its slope and its bend are known? The polynomial
+// of degree five that has all six.
 //
 //   p(x) = a f(0) + slope_a f'(0) + bend_a f''(0) + b f(h) + slope_b f'(h) + bend_b f''(h)
-// h in the unit of x, h != 0, x on either side of 0 and h. x may be a Taylor number (mechanism/jet.h), then so are the weights.
+// h in the unit of x, h != 0, x on either side of 0 and h. x may be a Taylor number
+// (mechanism/jet.h), then so are the weights.
 // a and b have no unit, slope_a and slope_b that of x, bend_a and bend_b its square.
 #pragma once
 

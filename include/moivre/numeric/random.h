@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which random number is this? One that depends on nothing but (seed, stream, index): the same on every machine and thread.
+// Which random number is this? One that depends on nothing but (seed, stream, index): the same on
+// every machine and thread.
 //
-// A counter is hashed by SplitMix64's finalizer; there is no state to share, so the k-th number of path i
-// is the same for every caller, at any time.
+// A counter is hashed by SplitMix64's finalizer; there is no state to share, so the k-th number of
+// path i is the same for every caller, at any time.
 #pragma once
 
 #include <cmath>
@@ -51,7 +52,8 @@ inline std::uint64_t mix(std::uint64_t z) {
 
 /// 64 bits from (seed, stream, index).
 inline std::uint64_t random_bits(std::uint64_t seed, RandomStream stream, std::uint64_t index) {
-  // The seed is hashed too: counted like the index, seed 2 would give seed 1's numbers moved by one.
+  // The seed is hashed too: counted like the index, seed 2 would give seed 1's numbers moved by
+  // one.
   std::uint64_t z =
       detail::mix(seed - 1) + detail::kGoldenGamma + static_cast<std::uint64_t>(stream);
   for (const std::uint64_t word : {index, index >> 32}) {

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// How is a coefficient kept as it was read? As an exact number, rounded once, to the scalar that asks.
+// How is a coefficient kept as it was read? As an exact number, rounded once, to the scalar that
+// asks.
 //
-// A decimal such as 3.1 is the rational 31/10; rounding it to double before arithmetic would change the problem. Boost's
-// cpp_int does the arithmetic. This header does not include it, since its headers take a second to compile. Include integer.h
-// to work with numerators and denominators of any length.
+// A decimal such as 3.1 is the rational 31/10; rounding it to double before arithmetic would change
+// the problem. Boost's cpp_int does the arithmetic. This header does not include it, since its
+// headers take a second to compile. Include integer.h to work with numerators and denominators of
+// any length.
 #pragma once
 
 #include <compare>
@@ -25,7 +27,8 @@ class Rational {
   Rational(I value) : Rational(std::int64_t{value}, 1) {}
   template <std::unsigned_integral I>
   Rational(I value) : Rational(whole(value)) {}
-  /// The double itself: 0.1 is 3602879701896397/2^55, not 1/10. Throws InvalidInput where it is not finite.
+  /// The double itself: 0.1 is 3602879701896397/2^55, not 1/10. Throws InvalidInput where it is not
+  /// finite.
   template <std::floating_point F>
   Rational(F value) : Rational(of_double(static_cast<double>(value))) {
     static_assert(sizeof(F) <= sizeof(double), "a longer number than double would be rounded");
@@ -72,7 +75,8 @@ std::ostream& operator<<(std::ostream& out, const Rational& a);
 /// The bits of the longer of numerator and denominator.
 std::size_t bit_length(const Rational& a);
 
-/// Gaussian rational re + i*im: the exact complex coefficient. A number of any type is one: 2, 0.5, Rational(1, 3).
+/// Gaussian rational re + i*im: the exact complex coefficient. A number of any type is one: 2, 0.5,
+/// Rational(1, 3).
 struct Coefficient {
   Rational re;
   Rational im;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is a count that leaves 64 bits? 2^64 - 1, and it stays there: sums and products of counts that stop at the top.
+// What is a count that leaves 64 bits? 2^64 - 1, and it stays there: sums and products of counts
+// that stop at the top.
 #pragma once
 
 #include <cstdint>

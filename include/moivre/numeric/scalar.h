@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What must a complex scalar offer so that tapes, homotopies and paths can be evaluated in it?
 //
-// Scalar<S> names its real type, rounds exact coefficients to S, and says how exact S is: `epsilon` bounds the relative error of
-// a product. RealScalar<R> rounds to the real type. S itself needs S(double), S(Complex), S(R, R), +, -, +=, ==, product(S, S),
-// product(R, S), add_product of the same, and for paths conj, reciprocal, magnitude1 and to_complex.
+// Scalar<S> names its real type, rounds exact coefficients to S, and says how exact S is: `epsilon`
+// bounds the relative error of a product. RealScalar<R> rounds to the real type. S itself needs
+// S(double), S(Complex), S(R, R), +, -, +=, ==, product(S, S), product(R, S), add_product of the
+// same, and for paths conj, reciprocal, magnitude1 and to_complex.
 // Here double and double-double; multiprecision has more.
 #pragma once
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How many threads, and the same work on each of them?
 //
-// What the work throws is thrown to the caller when all threads have ended. Not supported: pools that outlive a call.
+// What the work throws is thrown to the caller when all threads have ended. Not supported: pools
+// that outlive a call.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +18,8 @@ inline int thread_count(int wanted) {
   return wanted > 0 ? wanted : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-/// work() on each of so many threads, at least on the caller's; on fewer where the system gives no more.
+/// work() on each of so many threads, at least on the caller's; on fewer where the system gives no
+/// more.
 template <class Work>
 void on_threads(int threads, const Work& work) {
   std::vector<std::future<void>> others;

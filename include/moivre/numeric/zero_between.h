@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Where is a function zero between two places at which its signs differ? By algorithm 748 of ACM TOMS, which Boost has.
+// Where is a function zero between two places at which its signs differ? By algorithm 748 of ACM
+// TOMS, which Boost has.
 //
-// Edges: a function that jumps from one sign to the other has its zero there. Where fa or fb is NaN the other end is the answer; NaN in
-// between leads the search astray, but not out of [a, b]. After 150 evaluations: the middle of what is left.
+// Edges: a function that jumps from one sign to the other has its zero there. Where fa or fb is NaN
+// the other end is the answer; NaN in between leads the search astray, but not out of [a, b]. After
+// 150 evaluations: the middle of what is left.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +14,9 @@
 
 namespace moivre {
 
-/// The place of a sign change between a and b, to rounding of the larger; a < b, f(a) = fa, f(b) = fb. Where the signs agree after all,
-/// or b is not above a: the end at which f is nearer to 0. A zero that f meets ends the search.
+/// The place of a sign change between a and b, to rounding of the larger; a < b, f(a) = fa, f(b) =
+/// fb. Where the signs agree after all, or b is not above a: the end at which f is nearer to 0. A
+/// zero that f meets ends the search.
 template <class Function>
 double zero_between(const Function& f, double a, double b, double fa, double fb) {
   const bool has_zero = (fa <= 0 && fb >= 0) || (fa >= 0 && fb <= 0);  // fa fb may underflow

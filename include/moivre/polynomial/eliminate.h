@@ -1,26 +1,36 @@
 // SPDX-License-Identifier: MIT
-// Which smaller system has the same roots? Linear equations are eliminated, also those that only combinations show.
+// Which smaller system has the same roots? Linear equations are eliminated, also those that only
+// combinations show.
 //
 // Two moves, exact in the rationals, in turn until neither applies:
-//   combine     among the equations of one degree, those whose highest terms depend linearly on the others' are replaced
-//               by combinations of lower degree; of degree 0 are 0 = 0 (dependent) and c = 0 (inconsistent)
+//   combine     among the equations of one degree, those whose highest terms depend linearly on the
+//               others' are replaced by combinations of lower degree; of degree 0 are 0 = 0
+//               (dependent) and c = 0 (inconsistent)
 //   substitute  a_j x_j + sum_k a_k x_k + b = 0 becomes x_j = -(sum_k a_k x_k + b) / a_j everywhere
 //
-// F: the m equations given, in x of C^n. R: the equations left, in the kept unknowns y of C^k. restore: y -> x, affine.
-//  (1) restore(y) is y in the kept places: kept[i] is the place of y_i in x, and restore is injective.
-//  (2) R_i(y) = F_o(restore(y)) + a combination of the other F_k(restore(y)), o = equation_origin[i], and
+// F: the m equations given, in x of C^n. R: the equations left, in the kept unknowns y of C^k.
+// restore: y -> x, affine.
+//  (1) restore(y) is y in the kept places: kept[i] is the place of y_i in x, and restore is
+//  injective.
+//  (2) R_i(y) = F_o(restore(y)) + a combination of the other F_k(restore(y)), o =
+//  equation_origin[i], and
 //      span{F_i(restore(y))} = span{R_i(y)} as spaces of polynomials: row operations, invertible.
-//  (3) Every root x of F is restore(y) of a root y of R, with the same multiplicity. The eliminated equations lie in the ideal
+//  (3) Every root x of F is restore(y) of a root y of R, with the same multiplicity. The eliminated
+//  equations lie in the ideal
 //      of F, and each is solved for its own unknown. So C[x]/(F) and C[y]/(R) are isomorphic.
-//  Where isotropic unknowns stand for some of y (isotropic.h) restore leaves them first, and R is what it was in these.
-//  (4) The product of the degrees never rises; combine makes it the least that combinations with constant coefficients
+//  Where isotropic unknowns stand for some of y (isotropic.h) restore leaves them first, and R is
+//  what it was in these.
+//  (4) The product of the degrees never rises; combine makes it the least that combinations with
+//  constant coefficients
 //      can reach.
 //
-// Which unknown: of the pivots of at least kPivotThreshold times the equation's largest coefficient (sizes measured under
-// choose_scaling), the one that makes the fewest new terms. How far: equations are substituted as long as possible, and the
-// system of least work is kept (multiply-adds of a tracker's step times the product of the degrees,
-// docs/decisions/0003-when-elimination-pays.md). So equations whose substitution did not pay stay, unless it proves a
-// contradiction or a dependence. A move is not made if an integer would exceed the limits below.
+// Which unknown: of the pivots of at least kPivotThreshold times the equation's largest coefficient
+// (sizes measured under choose_scaling), the one that makes the fewest new terms. How far:
+// equations are substituted as long as possible, and the system of least work is kept
+// (multiply-adds of a tracker's step times the product of the degrees,
+// docs/decisions/0003-when-elimination-pays.md). So equations whose substitution did not pay stay,
+// unless it proves a contradiction or a dependence. A move is not made if an integer would exceed
+// the limits below.
 // Not supported: products of equations with polynomials (Groebner bases), factors of an equation.
 #pragma once
 
@@ -40,9 +50,10 @@ namespace moivre {
 /// Threshold pivoting as in sparse LU [DuffErismanReid86]: errors grow at most 1 + 1/0.1 a pivot.
 inline constexpr double kPivotThreshold = 0.1;
 
-/// A numerator or denominator may grow to kBitGrowth times the longest of the input: a Cramer determinant of 64 equations
-/// stays within it, and so does its square, the denominator when coefficients are complex. Short input may grow to
-/// kShortInteger bits (1200 digits), none beyond kLongestInteger (2500 digits).
+/// A numerator or denominator may grow to kBitGrowth times the longest of the input: a Cramer
+/// determinant of 64 equations stays within it, and so does its square, the denominator when
+/// coefficients are complex. Short input may grow to kShortInteger bits (1200 digits), none beyond
+/// kLongestInteger (2500 digits).
 inline constexpr std::size_t kBitGrowth = 128;
 inline constexpr std::size_t kShortInteger = 4096;
 inline constexpr std::size_t kLongestInteger = 8192;

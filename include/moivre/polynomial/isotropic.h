@@ -2,7 +2,8 @@
 // Has a system fewer monomials in other unknowns? Where x_i and x_j enter by x_i^2 + x_j^2, as the
 // two parts of a voltage or of a direction do:
 //
-//   u = x_i + i x_j,  v = x_i - i x_j     x_i^2 + x_j^2 = u v,   x_i = (u + v) / 2,   x_j = (u - v) / 2i
+//   u = x_i + i x_j,  v = x_i - i x_j     x_i^2 + x_j^2 = u v,   x_i = (u + v) / 2,   x_j = (u - v)
+//                                         / 2i
 //
 // A square has become a product, and polytopes shrink: the power flow of nine nodes has 36864 paths
 // in x and 768 in u and v, which are its roots. The change is linear and invertible: roots go over

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What do the errors of a file's numbers change in something computed from them? To first order a sum over the numbers a,
+// What do the errors of a file's numbers change in something computed from them? To first order a
+// sum over the numbers a,
 //
 //   dc = sum_a (dc/da) error(a),
 //
-// kept apart by number: where a number enters twice, its effects may cancel, and bounds on each would not know.
+// kept apart by number: where a number enters twice, its effects may cancel, and bounds on each
+// would not know.
 // Edges: no change at all is the empty list; a bound is a bound to first order only.
 // Source: [Wilkinson63].
 #pragma once

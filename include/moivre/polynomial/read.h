@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: MIT
-// Which system does this file hold? Readers of PHCpack's, Bertini's, msolve's and HomotopyContinuation.jl's text, told apart by content.
+// Which system does this file hold? Readers of PHCpack's, Bertini's, msolve's and
+// HomotopyContinuation.jl's text, told apart by content.
 //
 // PHCpack: an optional count line `n` or `n m`, polynomials ended by `;`, `i`/`I` the imaginary
 // unit, `^` or `**`, text behind the last polynomial (TITLE, THE SOLUTIONS, ...) ignored. The
 // format declares no variables: they are the names in order of first appearance. Bertini:
-// CONFIG/INPUT sections, `variable_group`, `hom_variable_group`, `function`, `constant`, subfunctions,
-// `%` comments. Its groups are System::groups, in the file's order; unknowns of `variable` are the
-// last group where there are others. In a hom_variable_group every function must be homogeneous;
+// CONFIG/INPUT sections, `variable_group`, `hom_variable_group`, `function`, `constant`,
+// subfunctions, `%` comments. Its groups are System::groups, in the file's order; unknowns of
+// `variable` are the last group where there are others. In a hom_variable_group every function must
+// be homogeneous;
 // such a system has an equation less than unknowns a group (polynomial/patches.h). Every fault is
 // named in one ParseError (expression/source.h).
 //
-// msolve: a line of names with commas, the characteristic 0, polynomials with commas between. HomotopyContinuation.jl: @var, assignments,
-// System([...], variables=[...], parameters=[...]); other statements of Julia are passed over.
+// msolve: a line of names with commas, the characteristic 0, polynomials with commas between.
+// HomotopyContinuation.jl: @var, assignments, System([...], variables=[...], parameters=[...]);
+// other statements of Julia are passed over.
 //
-// All as people write them: divisions by polynomials and negative exponents (System::denominators keeps what is cleared), functions and
-// roots of numbers (sqrt(2), 2^(1/3), cos(0.3)), 2x. Beside Bertini's form also: pi, # comments, and in PHCpack's left = right.
-// Not supported: Bertini's pathvariable and parameters (refused with the reason, but by read_parametric()).
+// All as people write them: divisions by polynomials and negative exponents (System::denominators
+// keeps what is cleared), functions and roots of numbers (sqrt(2), 2^(1/3), cos(0.3)), 2x. Beside
+// Bertini's form also: pi, # comments, and in PHCpack's left = right.
+// Not supported: Bertini's pathvariable and parameters (refused with the reason, but by
+// read_parametric()).
 #pragma once
 
 #include <map>
@@ -27,7 +32,8 @@
 
 namespace moivre {
 
-/// msolve's and HomotopyContinuation.jl's are read, not written (polynomial/write.h writes PHCpack's instead).
+/// msolve's and HomotopyContinuation.jl's are read, not written (polynomial/write.h writes
+/// PHCpack's instead).
 enum class PolynomialFormat { phcpack, bertini, msolve, julia };
 
 /// What the content looks like; never throws.
@@ -38,8 +44,8 @@ PolynomialFormat detect_format(const std::string& text);
 System read_system(const Source& source);
 System read_system(const Source& source, PolynomialFormat format);
 
-/// A system with names that are parameters: what a file declares by Bertini's `parameter`, and those of its constants that are
-/// asked for.
+/// A system with names that are parameters: what a file declares by Bertini's `parameter`, and
+/// those of its constants that are asked for.
 struct ParametricSystem {
   System system;                      ///< in all names; it has more of them than equations
   std::vector<std::string> declared;  ///< by `parameter`

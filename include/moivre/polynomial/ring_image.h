@@ -2,8 +2,10 @@
 // Where on a line do the roots of a system stand, and where is each coordinate there? Exact
 // algebra's answer, modulo one prime.
 //
-//   f: any number of equations in n unknowns; D the dimension of its quotient ring A = Q[x] / (f), finite
-//   u = c_1 x_1 + ... + c_n x_n, c small integers;   l a linear form on A, small integers on its monomials
+//   f: any number of equations in n unknowns; D the dimension of its quotient ring A = Q[x] / (f),
+//   finite
+//   u = c_1 x_1 + ... + c_n x_n, c small integers;   l a linear form on A, small integers on its
+//   monomials
 //   m(z) the minimal polynomial of u in A, d its degree:   sum_k l(u^k) z^(-k-1) = N_0(z) / m(z)
 //   N_j the same with l(u^k x_j), j = 1 .. n
 //

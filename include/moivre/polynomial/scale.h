@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
-// In which units are the unknowns and the equations of moderate size? Powers of two: nothing is rounded.
+// In which units are the unknowns and the equations of moderate size? Powers of two: nothing is
+// rounded.
 //
-//   x_j = 2^v_j y_j,   G_i(y) = 2^r_i F_i(x(y)),   coefficient of a term: 2^(r_i + e.v) c, e its exponents.
+//   x_j = 2^v_j y_j,   G_i(y) = 2^r_i F_i(x(y)),   coefficient of a term: 2^(r_i + e.v) c, e its
+//                                                  exponents.
 //
-// With E_ik = log2|c_ik| + r_i + e_ik.v the scaling minimizes, after [Morgan87, ch. 5] and [MeintjesMorgan87],
+// With E_ik = log2|c_ik| + r_i + e_ik.v the scaling minimizes, after [Morgan87, ch. 5] and
+// [MeintjesMorgan87],
 //   sum_ik E_ik^2 + sum_i sum_{k<l} (E_ik - E_il)^2:
-// coefficients near 1, and near each other within an equation. The second sum does not depend on r, so that
-// r_i = -mean_k(log2|c_ik| + e_ik.v), and v solves a least-squares problem of its own; of several minima the one of least
-// norm in v is taken (the papers: in v and r). v is rounded to integers, then r.
+// coefficients near 1, and near each other within an equation. The second sum does not depend on r,
+// so that r_i = -mean_k(log2|c_ik| + e_ik.v), and v solves a least-squares problem of its own; of
+// several minima the one of least norm in v is taken (the papers: in v and r). v is rounded to
+// integers, then r.
 //
 // Properties:
 //  (1) scale() is exact: G_i(y) = 2^r_i F_i(2^v y) as polynomials with rational coefficients.
-//  (2) A mild system (every |log2|c|| within kMildSize) is left alone: choose_scaling is the identity.
-//  (3) Unknowns are scaled only where that at least halves the root mean square of the deviations within the equations;
+//  (2) A mild system (every |log2|c|| within kMildSize) is left alone: choose_scaling is the
+//  identity.
+//  (3) Unknowns are scaled only where that at least halves the root mean square of the deviations
+//  within the equations;
 //      otherwise v = 0, and only equations with a coefficient that is not mild get an r_i.
 // Zero polynomials get r_i = 0; unknowns that appear nowhere get v_j = 0.
-// Not supported: shifts of a coefficient beyond 2^20 bits; such unknowns and equations are left unscaled.
+// Not supported: shifts of a coefficient beyond 2^20 bits; such unknowns and equations are left
+// unscaled.
 #pragma once
 
 #include <complex>

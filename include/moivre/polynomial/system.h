@@ -79,7 +79,8 @@ bool is_real(const Polynomial& p);
 /// All terms of one degree (the zero polynomial counts as homogeneous).
 bool is_homogeneous(const Polynomial& p);
 
-// As on paper: x*y - 1, -x, 2*x, p += x, pow(x, 3). A number of any type stands where a coefficient does (numeric/rational.h).
+// As on paper: x*y - 1, -x, 2*x, p += x, pow(x, 3). A number of any type stands where a coefficient
+// does (numeric/rational.h).
 // Products and powers throw std::overflow_error when an exponent leaves 32 bits.
 Polynomial operator+(const Polynomial& a, const Polynomial& b);
 Polynomial operator+(const Polynomial& p, const Coefficient& c);
@@ -103,7 +104,8 @@ Polynomial& operator/=(Polynomial& p, const Coefficient& c);
 /// p^0 is 1. Throws InvalidInput where the exponent is negative.
 Polynomial pow(const Polynomial& p, int exponent);
 
-/// Variables that belong together: coordinates of one affine space, or homogeneous ones of one projective space.
+/// Variables that belong together: coordinates of one affine space, or homogeneous ones of one
+/// projective space.
 struct VariableGroup {
   std::vector<std::uint32_t> variables;  ///< ascending
   bool is_homogeneous = false;
@@ -116,20 +118,24 @@ struct System {
   std::vector<Polynomial> polynomials;
   /// As declared by the file: every variable in one group; empty: none declared.
   std::vector<VariableGroup> groups = {};
-  /// As typed, no number was rounded (digits.h): products of short ones are long, and exact. false: its coefficients tell.
+  /// As typed, no number was rounded (digits.h): products of short ones are long, and exact. false:
+  /// its coefficients tell.
   bool is_exact = false;
-  /// By which the text divides, cleared from the equations: what makes one of them zero is no root of what was typed.
+  /// By which the text divides, cleared from the equations: what makes one of them zero is no root
+  /// of what was typed.
   std::vector<Polynomial> denominators = {};
 
-  /// The same equations in the same unknowns. Groups tell how to look for roots, not which equations hold.
+  /// The same equations in the same unknowns. Groups tell how to look for roots, not which
+  /// equations hold.
   friend bool operator==(const System& a, const System& b) {
     return a.variables == b.variables && a.polynomials == b.polynomials &&
            a.denominators == b.denominators;
   }
 };
 
-/// Every broken rule as a sentence, empty where there is none: names are given and differ; terms are canonical, their variables are there
-/// and their exponents 1 or more; a variable is in one group at most.
+/// Every broken rule as a sentence, empty where there is none: names are given and differ; terms
+/// are canonical, their variables are there and their exponents 1 or more; a variable is in one
+/// group at most.
 std::vector<std::string> broken_rules(const System& f);
 /// The polynomials in unknowns of these names. Throws InvalidInput with every broken rule.
 System make_system(std::vector<std::string> variables, std::vector<Polynomial> polynomials);

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
-// How is F evaluated fast, in any scalar? A straight-line program for F and its Jacobian with shared products.
+// How is F evaluated fast, in any scalar? A straight-line program for F and its Jacobian with
+// shared products.
 //
-//   registers r:  r_0..r_{n-1} = x,  r_n = 1,  then r_k = r_a * r_b, one product a line   (monomials, shared)
+//   registers r:  r_0..r_{n-1} = x,  r_n = 1,  then r_k = r_a * r_b, one product a line
+//                                              (monomials, shared)
 //   values:       F_i   = sum over terms of   c_k * r_m
-//   Jacobian:     F_ij  = sum over terms of   c_k' * r_m'     only where it is not structurally zero
+//   Jacobian:     F_ij  = sum over terms of   c_k' * r_m'     only where it is not structurally
+//                                             zero
 //
-// x: n, F: m, Jacobian: the structural nonzeros, in row order. c: the coefficients of F's terms in order, then those of the
-// Jacobian with their exponents as factors (`Coefficients`). They are input, so that a homotopy can move them. They are rounded
-// from the exact system once for each scalar type. The program is immutable and shared; a thread owns its registers.
-// A scalar S needs S(double), +=, and product(S, S) and product(C, S) for its coefficient type C. A truncated power
-// series in t is such a scalar: Taylor terms need no second program [GriewankWalther08, ch. 13].
+// x: n, F: m, Jacobian: the structural nonzeros, in row order. c: the coefficients of F's terms in
+// order, then those of the Jacobian with their exponents as factors (`Coefficients`). They are
+// input, so that a homotopy can move them. They are rounded from the exact system once for each
+// scalar type. The program is immutable and shared; a thread owns its registers.
+// A scalar S needs S(double), +=, and product(S, S) and product(C, S) for its coefficient type C. A
+// truncated power series in t is such a scalar: Taylor terms need no second program
+// [GriewankWalther08, ch. 13].
 // Not supported: negative exponents. Source: [GriewankWalther08].
 #pragma once
 
@@ -42,7 +47,8 @@ struct Tape {
   std::vector<std::uint32_t> value_begin;  ///< equations + 1 offsets into value_summands
   std::vector<Summand> jacobian_summands;
   std::vector<Entry> jacobian;  ///< structural nonzeros in row order
-  /// Where each coefficient comes from: term `term` of the system (counted over all polynomials), times `factor`.
+  /// Where each coefficient comes from: term `term` of the system (counted over all polynomials),
+  /// times `factor`.
   struct Origin {
     std::uint32_t equation, term, factor;
   };

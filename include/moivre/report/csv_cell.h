@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How does a name become a cell of CSV? As it is, but where a program would take it for something else.
+// How does a name become a cell of CSV? As it is, but where a program would take it for something
+// else.
 //
-// In quotes where a comma, a quote or a line break is in it (RFC 4180). An apostrophe goes before =, +, -, @ and a
-// tabulator: a sheet would compute what begins with these, and names come from files of others.
+// In quotes where a comma, a quote or a line break is in it (RFC 4180). An apostrophe goes before
+// =, +, -, @ and a tabulator: a sheet would compute what begins with these, and names come from
+// files of others.
 #pragma once
 
 #include <string>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What is the structure of a system, and how many paths would a solve follow? Solves nothing.
 //
-// As solve() prepares it: eliminated, then scaled. Edges: a system that is not square has no start system's paths, but a verdict.
+// As solve() prepares it: eliminated, then scaled. Edges: a system that is not square has no start
+// system's paths, but a verdict.
 #pragma once
 
 #include <atomic>
@@ -37,7 +38,8 @@ struct SystemInfo {
   std::vector<LeftOut> left_out;
 };
 
-/// stop: once set, what is not known yet is missing. progress: of the search for mixed cells; may be empty.
+/// stop: once set, what is not known yet is missing. progress: of the search for mixed cells; may
+/// be empty.
 struct InspectOptions {
   const std::atomic<bool>* stop = nullptr;
   std::function<void(const CellSearchProgress&)> progress = {};

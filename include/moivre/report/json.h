@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do all JSON reports share? Numbers that are null where unknown, complex pairs, keys in order, a layout for people.
+// What do all JSON reports share? Numbers that are null where unknown, complex pairs, keys in
+// order, a layout for people.
 // For modules that report. Including it needs nlohmann-json.
 #pragma once
 
@@ -32,7 +33,8 @@ Json to_json(const SolveTime& time);
 Json to_json(const SystemFacts& system);
 Json to_json(const StartCounts& counts);
 Json to_json(const StartFacts& start);
-/// What was tracked: the number of its variables, which have no names of their own, and its degrees.
+/// What was tracked: the number of its variables, which have no names of their own, and its
+/// degrees.
 Json reduced_json(const SystemFacts& reduced);
 /// Kind, and every option in force; numbers as numbers.
 Json tracker_json(const std::string& kind, const OptionsInForce& options);
@@ -47,7 +49,8 @@ Json list_json(const List& list, Element element) {
   return array;
 }
 
-/// Puts numbers in the places of the numbers and nulls of a tree, in order, as many as it has: the same names with other numbers.
+/// Puts numbers in the places of the numbers and nulls of a tree, in order, as many as it has: the
+/// same names with other numbers.
 void refill(Json& tree, std::span<const double> numbers);
 
 /// Solutions of one system, one after another: room for the coordinates is made once.
@@ -63,7 +66,8 @@ class SolutionJson {
 /// {"moivre": version, "command": command, "file": file}: how every report begins.
 Json report_head(const std::string& command, const std::string& file);
 
-/// One key a line, and one element a line in arrays of objects. Bytes that are not UTF-8 are replaced.
+/// One key a line, and one element a line in arrays of objects. Bytes that are not UTF-8 are
+/// replaced.
 std::string to_text(const Json& report);
 
 }  // namespace moivre

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How is a long JSON report written without holding all of it? Member by member, in the order of the calls.
+// How is a long JSON report written without holding all of it? Member by member, in the order of
+// the calls.
 //
-// The layout is that of to_text (json.h): one key a line, and one element a line in lists of objects; what is deeper stands on
-// one line. Text goes on in pieces of some tens of kilobytes. For modules that report. Including it needs nlohmann-json.
+// The layout is that of to_text (json.h): one key a line, and one element a line in lists of
+// objects; what is deeper stands on one line. Text goes on in pieces of some tens of kilobytes. For
+// modules that report. Including it needs nlohmann-json.
 #pragma once
 
 #include <functional>
@@ -30,7 +32,8 @@ class JsonWriter {
     close();
   }
 
-  /// A member that is a list of objects too long to be held: `write(item)` writes the members of one.
+  /// A member that is a list of objects too long to be held: `write(item)` writes the members of
+  /// one.
   template <class List, class Write>
   void long_list(std::string_view key, const List& items, Write write) {
     open_list(key);

@@ -15,7 +15,8 @@ struct Attribute {
   std::string_view name;
   std::string value;
 };
-/// `<name attribute="value">content</name>`, values escaped, the content as it is; without content `<name .../>`.
+/// `<name attribute="value">content</name>`, values escaped, the content as it is; without content
+/// `<name .../>`.
 std::string element(std::string_view name, const std::vector<Attribute>& attributes,
                     std::string_view content = "");
 

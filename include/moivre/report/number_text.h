@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a number written down: with every digit, with the digits that are known, or in PHCpack's columns?
+// How is a number written down: with every digit, with the digits that are known, or in PHCpack's
+// columns?
 #pragma once
 
 #include <cstdint>
@@ -13,7 +14,8 @@ namespace moivre {
 /// The shortest text that reads back as the same double; "" where x is not finite.
 std::string exact_text(double x);
 
-/// x to the last digit that `error` (absolute, >= 0) leaves sure, 17 significant ones at most; "0" where no digit is.
+/// x to the last digit that `error` (absolute, >= 0) leaves sure, 17 significant ones at most; "0"
+/// where no digit is.
 std::string known_digits(double x, double error);
 /// "re + im i", both parts as known_digits.
 std::string known_digits(Complex x, double error);

@@ -2,10 +2,12 @@
 // Which points does this file list? Start points of one's own, or roots written down earlier.
 //
 // Three forms, told apart by content; points are numbered from 0 in the file's order:
-//   PHCpack's solution list   "solution 1 :" ... "the solution for t :" ... "x : re im" ... "== err : ..."; other text between
-//                             is skipped
-//   a table with a head       as `moivre solve --csv` writes it: commas; columns NAME.re and NAME.im, others are skipped
-//   plain numbers             one point per line, re im of each variable in turn, between blanks or commas; # begins a comment
+//   PHCpack's solution list   "solution 1 :" ... "the solution for t :" ... "x : re im" ... "== err
+//                             : ..."; other text between is skipped
+//   a table with a head       as `moivre solve --csv` writes it: commas; columns NAME.re and
+//                             NAME.im, others are skipped
+//   plain numbers             one point per line, re im of each variable in turn, between blanks or
+//                             commas; # begins a comment
 #pragma once
 
 #include <string>

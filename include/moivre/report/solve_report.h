@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: MIT
-// How is a solve reported? As text for people, as JSON and CSV for programs, as PHCpack's solution list.
+// How is a solve reported? As text for people, as JSON and CSV for programs, as PHCpack's solution
+// list.
 //
-//   text   counts, real roots with the digits that their accuracy justifies, what was left out, failures with reasons
-//          (all digits, where more than double's were asked for; CSV likewise)
+//   text   counts, real roots with the digits that their accuracy justifies, what was left out,
+//          failures with reasons (all digits, where more than double's were asked for; CSV
+//          likewise)
 //   JSON   everything; docs/json.md shows it; unknown numbers are null, never NaN
-//   CSV    one root per line, shortest digits that read back as the same double; unknown numbers are empty
-//   paths  CSV too, one path a line: the stage of the start plan on which it ended, its verdict (to_string(PathVerdict), or
-//          "on a set" of positive dimension), its solution's place in the list from 0, why it failed, the precision that it
-//          needed, how often it was followed, whether the other tracker had to, and the steps of all that
-//   PHC    the system, then THE SOLUTIONS: err is our accuracy, rco 1/condition, res our residual, m the multiplicity
+//   CSV    one root per line, shortest digits that read back as the same double; unknown numbers
+//          are empty
+//   paths  CSV too, one path a line: the stage of the start plan on which it ended, its verdict
+//          (to_string(PathVerdict), or "on a set" of positive dimension), its solution's place in
+//          the list from 0, why it failed, the precision that it needed, how often it was followed,
+//          whether the other tracker had to, and the steps of all that
+//   PHC    the system, then THE SOLUTIONS: err is our accuracy, rco 1/condition, res our residual,
+//          m the multiplicity
 //
-// All are the same bytes for every number of threads, but for the run times (`time_s`, and the text's line of time).
+// All are the same bytes for every number of threads, but for the run times (`time_s`, and the
+// text's line of time).
 // Edges: a run that was interrupted is reported like any other, and says so.
 // `file` is the name the user gave to the problem.
 #pragma once

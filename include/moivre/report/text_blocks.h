@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What do the reports for people share? Degrees, counts that may be too large, and the list of what was left out.
+// What do the reports for people share? Degrees, counts that may be too large, and the list of what
+// was left out.
 #pragma once
 
 #include <optional>

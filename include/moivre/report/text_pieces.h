@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a long text handed on without holding all of it? Gathered to pieces of some tens of kilobytes.
+// How is a long text handed on without holding all of it? Gathered to pieces of some tens of
+// kilobytes.
 #pragma once
 
 #include <functional>

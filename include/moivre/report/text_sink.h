@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where does a text go that is written piece by piece? To a function that is called with each piece, in order.
+// Where does a text go that is written piece by piece? To a function that is called with each
+// piece, in order.
 #pragma once
 
 #include <functional>

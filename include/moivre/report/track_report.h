@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// How is a single path reported? One row per step as CSV, everything as JSON, the verdict in a sentence.
+// How is a single path reported? One row per step as CSV, everything as JSON, the verdict in a
+// sentence.
 //
-// CSV columns: journey, s, t.re, t.im, NAME.re, NAME.im of each variable, h_before, h_after, correction, step, order
-// (solver/trace.h says what they are); infinite coordinates are empty. The JSON is shown in docs/json.md.
+// CSV columns: journey, s, t.re, t.im, NAME.re, NAME.im of each variable, h_before, h_after,
+// correction, step, order (solver/trace.h says what they are); infinite coordinates are empty. The
+// JSON is shown in docs/json.md.
 #pragma once
 
 #include <string>

@@ -23,7 +23,8 @@ struct RunStanding {
   // Outcomes that were observed, paths that were followed again among them.
   std::uint64_t outcomes = 0, to_roots = 0, at_infinity = 0, failed = 0;
 
-  /// Seconds, at the rate so far; below 0: not known. Paths that wait to be taken up are done in part:
+  /// Seconds, at the rate so far; below 0: not known. Paths that wait to be taken up are done in
+  /// part:
   /// they count once, as observed.
   double seconds_left() const;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How are the roots of a solve written with more digits than a double has? By Newton's method in multiprecision.
+// How are the roots of a solve written with more digits than a double has? By Newton's method in
+// multiprecision.
 #pragma once
 
 #include <atomic>
@@ -9,12 +10,13 @@
 
 namespace moivre {
 
-/// Throws std::invalid_argument, with the reason, when this was built without multiprecision or `digits` is not in [1, 1000].
+/// Throws std::invalid_argument, with the reason, when this was built without multiprecision or
+/// `digits` is not in [1, 1000].
 void require_digits(int digits);
 
-/// Fills `x_digits` of every root to which Newton's method converges; what has none, and why, joins `left_out`. Once `stop` is
-/// true no further root is begun, and the result is not complete. Throws as require_digits(), and std::invalid_argument where f is not square or
-/// has homogeneous groups.
+/// Fills `x_digits` of every root to which Newton's method converges; what has none, and why, joins
+/// `left_out`. Once `stop` is true no further root is begun, and the result is not complete. Throws
+/// as require_digits(), and std::invalid_argument where f is not square or has homogeneous groups.
 void give_digits(const System& f, int digits, SolveResult& result, const std::atomic<bool>& stop);
 
 }  // namespace moivre

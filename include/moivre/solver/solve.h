@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: MIT
-// What are all isolated roots of a polynomial system? Which paths were tracked, where did each end, and do the counts add up?
+// What are all isolated roots of a polynomial system? Which paths were tracked, where did each end,
+// and do the counts add up?
 //
-// F: polynomials in n variables, usually n of them. Presolve (linear equations eliminated, rows and variables scaled) -> start
-// system -> all paths on all cores -> ends judged on the system as given -> jumps found and tracked again -> isolated roots.
+// F: polynomials in n variables, usually n of them. Presolve (linear equations eliminated, rows and
+// variables scaled) -> start system -> all paths on all cores -> ends judged on the system as given
+// -> jumps found and tracked again -> isolated roots.
 //
 // Completeness:
 //   proved   as many roots are certified as a proved bound allows
-//   shown    every path was decided, or left where exact algebra counts no more roots, and every regular root is certified
+//   shown    every path was decided, or left where exact algebra counts no more roots, and every
+//            regular root is certified
 //   open     neither
 //
 // Conservation, on every run:   tracked = finite + at_infinity + failed + not_needed
-//                               finite  = sum of multiplicities + on_positive_dimensional + excess + on_denominators + filtered
-// A lost path counts as failed. `complete` is true when every path was decided. The result does not depend on the number of
-// threads. A system with more equations than unknowns is squared up by random combinations; roots of these that fail an
-// equation of F are `excess`. A system with fewer equations is refused, or cut by random linear ones (SolveOptions::slice).
+//                               finite  = sum of multiplicities + on_positive_dimensional + excess
+//                                       + on_denominators + filtered
+// A lost path counts as failed. `complete` is true when every path was decided. The result does not
+// depend on the number of threads. A system with more equations than unknowns is squared up by
+// random combinations; roots of these that fail an equation of F are `excess`. A system with fewer
+// equations is refused, or cut by random linear ones (SolveOptions::slice).
 #pragma once
 
 #include <atomic>
@@ -39,7 +44,8 @@ struct Progress {
   std::uint64_t done = 0;
   std::uint64_t total = 0;
   std::uint64_t finite = 0;
-  /// During the search for mixed cells, before any path: how many were found, and how far the search is, 0 to 1.
+  /// During the search for mixed cells, before any path: how many were found, and how far the
+  /// search is, 0 to 1.
   std::uint64_t cells = 0;
   std::optional<double> search;
 };
@@ -70,7 +76,8 @@ struct SolveOptions {
   int maximum_care = 3;   ///< of a path in doubt, which is tracked once more
   bool eliminate = true;  ///< linear equations before tracking
   bool scale = true;      ///< rows and variables, by powers of two
-  /// If the chosen start leaves something open, a polyhedral start follows its own paths, and its result is returned.
+  /// If the chosen start leaves something open, a polyhedral start follows its own paths, and its
+  /// result is returned.
   bool second_start = true;
   bool slice = false;  ///< fewer equations than unknowns: cut by random linear ones, else refused
   Precision precision = Precision::automatic;
@@ -78,20 +85,23 @@ struct SolveOptions {
   /// Paths are followed to their ends also where as many roots are known as there can be.
   bool every_path = false;
   EndgameOptions endgame;
-  /// Bytes that there are; 0: not known. A run whose paths cannot be kept within them is refused before it begins.
+  /// Bytes that there are; 0: not known. A run whose paths cannot be kept within them is refused
+  /// before it begins.
   std::uint64_t memory = 0;
-  /// Tracks again the paths that `tracker` left in doubt; in double-double too, where it has lanes for that and `tracker` has not. Not owned, may
-  /// be nullptr.
+  /// Tracks again the paths that `tracker` left in doubt; in double-double too, where it has lanes
+  /// for that and `tracker` has not. Not owned, may be nullptr.
   const Tracker* fallback = nullptr;
-  /// Asked for the ends of paths before these are followed, and told those that were. Not owned, may be nullptr.
+  /// Asked for the ends of paths before these are followed, and told those that were. Not owned,
+  /// may be nullptr.
   Observations* observations = nullptr;
-  /// Asked first for a start that it knows for a square system; nullopt if it knows none. Thread-safe.
+  /// Asked first for a start that it knows for a square system; nullopt if it knows none.
+  /// Thread-safe.
   std::function<std::optional<SolveResult>(const System& f, const Tracker& tracker,
                                            const SolveOptions& options,
                                            const std::atomic<bool>& stop)>
       known_start = {};
-  /// Called after each path, from any thread, never twice at once; may be empty. What it throws ends the run, when the paths under way
-  /// have ended, and is thrown to the caller.
+  /// Called after each path, from any thread, never twice at once; may be empty. What it throws
+  /// ends the run, when the paths under way have ended, and is thrown to the caller.
   std::function<void(const Progress&)> progress;
 };
 
@@ -102,21 +112,25 @@ std::vector<std::string> validate(const SolveOptions& options);
 struct Solution {
   std::uint64_t path = 0;  ///< smallest number of the paths that end here
   Point x;                 ///< in the system's variables and order
-  /// All imaginary parts are 0 (and set to 0): proved where the root is certified and F real, else within the accuracy.
+  /// All imaginary parts are 0 (and set to 0): proved where the root is certified and F real, else
+  /// within the accuracy.
   bool real = false;
   bool singular = false;
   std::uint64_t multiplicity = 1;
-  /// So many roots lie within `radius` of x in each coordinate, or one root counts as often: exact algebra has not told which.
+  /// So many roots lie within `radius` of x in each coordinate, or one root counts as often: exact
+  /// algebra has not told which.
   bool cluster = false;
   double radius = 0;  ///< of a cluster
-  /// Of the cycles that end here; their sum is the multiplicity. Empty where the multiplicity comes from exact algebra.
+  /// Of the cycles that end here; their sum is the multiplicity. Empty where the multiplicity comes
+  /// from exact algebra.
   std::vector<int> winding{1};
   double residual = 0;   ///< max_i |F_i(x)| / sum |terms of F_i|
   double accuracy = 0;   ///< bound on |x - x*|_inf / max(1, |x|_inf)
   double condition = 0;  ///< infinity-norm condition number of the row-scaled Jacobian
-  /// A root of the exact system is proved to lie within `accuracy`, none of the other certified ones: a simple one, or, where equations are
-  /// powers, a simple one of their bases (polynomial/powers.h), whose multiplicity is then proved too. nullopt: not asked for, or not possible
-  /// because F has more equations than unknowns.
+  /// A root of the exact system is proved to lie within `accuracy`, none of the other certified
+  /// ones: a simple one, or, where equations are powers, a simple one of their bases
+  /// (polynomial/powers.h), whose multiplicity is then proved too. nullopt: not asked for, or not
+  /// possible because F has more equations than unknowns.
   std::optional<bool> certified;
   PathPrecision precision = PathPrecision::double_precision;  ///< that its paths needed
   std::vector<ComplexDecimal>
@@ -204,8 +218,8 @@ std::string to_string(RootCompleteness completeness);
 
 /// A proved bound on the number of isolated roots that is met by as many certified ones.
 struct MetBound {
-  /// "elimination", "total degree", "multihomogeneous number", "mixed volume", "stable mixed volume", "dimension of the quotient ring"
-  /// or "mixed volume of the strata".
+  /// "elimination", "total degree", "multihomogeneous number", "mixed volume", "stable mixed
+  /// volume", "dimension of the quotient ring" or "mixed volume of the strata".
   std::string kind;
   std::uint64_t value = 0;
   bool is_of_points = false;  ///< bounds the points at which roots lie, not their multiplicities
@@ -254,7 +268,8 @@ struct SolveResult {
   /// nullopt: certificates were not asked for, or F has more equations than unknowns.
   std::optional<RootCompleteness> completeness;
   std::optional<MetBound> bound;  ///< that proves the completeness
-  /// Points of sets of positive dimension, where paths end; `multiplicity`: so many paths. By path number.
+  /// Points of sets of positive dimension, where paths end; `multiplicity`: so many paths. By path
+  /// number.
   std::vector<Solution> on_sets;
   std::uint64_t excess =
       0;  ///< roots that squaring up added, with multiplicity: they fail an equation of F
@@ -272,10 +287,10 @@ struct SolveResult {
   SolveTime time;
 };
 
-/// Throws before any tracking: InvalidInput, with every broken rule, when the system breaks one (polynomial/system.h), an option is out of
-/// range, the paths do not fit into `memory`, or there are fewer equations than unknowns without `slice`; std::overflow_error when the number
-/// of paths exceeds 64 bits. A set `stop` ends the run with the paths
-/// that are finished.
+/// Throws before any tracking: InvalidInput, with every broken rule, when the system breaks one
+/// (polynomial/system.h), an option is out of range, the paths do not fit into `memory`, or there
+/// are fewer equations than unknowns without `slice`; std::overflow_error when the number of paths
+/// exceeds 64 bits. A set `stop` ends the run with the paths that are finished.
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options = {},
                   const std::atomic<bool>& stop = std::atomic<bool>{false});
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Where does a mixed cell lie? Its inner normal, and by how much every other term of the supports clears it.
+// Where does a mixed cell lie? Its inner normal, and by how much every other term of the supports
+// clears it.
 //
-//   alpha: the rational solution of <alpha, b_i - a_i> = omega(a_i) - omega(b_i), i = 1..n, for the edges {a_i, b_i};
-//   w_ik = omega_ik + <alpha, a_ik> - omega(a_i) - <alpha, a_i>: 0 at the ends of edge i, > 0 at all other terms.
+//   alpha: the rational solution of <alpha, b_i - a_i> = omega(a_i) - omega(b_i), i = 1..n, for the
+//   edges {a_i, b_i};
+//   w_ik = omega_ik + <alpha, a_ik> - omega(a_i) - <alpha, a_i>: 0 at the ends of edge i, > 0 at
+//   all other terms.
 //
-// In the toric homotopy with x_j = y_j s^{alpha_j} term k of equation i carries the factor s^{w_ik}. Everything is
-// computed in exact integers from the cell's edges, independently of the search that found it; doubles are the exact
-// values rounded once.
+// In the toric homotopy with x_j = y_j s^{alpha_j} term k of equation i carries the factor
+// s^{w_ik}. Everything is computed in exact integers from the cell's edges, independently of the
+// search that found it; doubles are the exact values rounded once.
 // Edges: a cell of volume 0, or edges that do not fit the supports: std::invalid_argument.
 #pragma once
 

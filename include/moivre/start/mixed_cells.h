@@ -1,21 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Which binomial systems does a sparse system degenerate into? The mixed cells of its supports for a random lifting.
+// Which binomial systems does a sparse system degenerate into? The mixed cells of its supports for
+// a random lifting.
 //
 //   A_1, ..., A_n: supports in n variables; omega_ik: integer lifting of term a_ik.
 //   Mixed cell: an edge {a_i, b_i} of every A_i and alpha in Q^n with, for all k,
-//     w_ik = omega_ik + <alpha, a_ik> - min_l (omega_il + <alpha, a_il>) = 0 at the two ends of the edge, > 0
-//     elsewhere.
-//   Volume of a cell: |det V|, row i of V = b_i - a_i. The volumes add up to the mixed volume, which bounds the number
-//   of isolated roots without zero coordinates and is it for generic coefficients (Bernstein).
+//     w_ik = omega_ik + <alpha, a_ik> - min_l (omega_il + <alpha, a_il>) = 0 at the two ends of the
+//     edge, > 0 elsewhere.
+//   Volume of a cell: |det V|, row i of V = b_i - a_i. The volumes add up to the mixed volume,
+//   which bounds the number of isolated roots without zero coordinates and is it for generic
+//   coefficients (Bernstein).
 //
-// The cells are followed while the lifting moves (tropical homotopy continuation). It begins with standard simplices, which have
-// one cell; the supports replace them one after the other. Every decision is made in exact integers of 64 bits, then of 128,
-// then of any length where those would overflow. Ties are broken by a second, infinitely smaller lifting. If the cells of the
-// lifting itself are not strict, another lifting is tried. The result depends only on supports, seed and lifting.
+// The cells are followed while the lifting moves (tropical homotopy continuation). It begins with
+// standard simplices, which have one cell; the supports replace them one after the other. Every
+// decision is made in exact integers of 64 bits, then of 128, then of any length where those would
+// overflow. Ties are broken by a second, infinitely smaller lifting. If the cells of the lifting
+// itself are not strict, another lifting is tried. The result depends only on supports, seed and
+// lifting.
 //
-// Edges: a support of fewer than two terms, or supports of too low a dimension, have mixed volume 0 and no cell; no
-// variables at all: one cell, of volume 1. Equal terms in a support are allowed. Not supported: supports that are not
-// square (std::invalid_argument).
+// Edges: a support of fewer than two terms, or supports of too low a dimension, have mixed volume 0
+// and no cell; no variables at all: one cell, of volume 1. Equal terms in a support are allowed.
+// Not supported: supports that are not square (std::invalid_argument).
 // Sources: [HuberSturmfels95], [Jensen16].
 #pragma once
 
@@ -70,7 +74,8 @@ struct CellSearchProgress {
 
 struct CellSearchOptions {
   std::uint64_t most_cells = std::numeric_limits<std::uint64_t>::max();
-  /// A step passes one cell into the next; it takes about 10 n multiply-adds per term of the system.
+  /// A step passes one cell into the next; it takes about 10 n multiply-adds per term of the
+  /// system.
   std::uint64_t most_steps = std::numeric_limits<std::uint64_t>::max();
   const std::atomic<bool>* stop = nullptr;  ///< set: the search ends soon, interrupted
   std::function<void(const CellSearchProgress&)> progress;  ///< called every few thousand steps

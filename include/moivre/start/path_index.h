@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which start root has path `number`? The cell it belongs to, and its number there, by sums over the cells before.
+// Which start root has path `number`? The cell it belongs to, and its number there, by sums over
+// the cells before.
 //
-// A cell has as many paths as its volume; cells come in the order of the subdivision. A search takes log2(cells) steps.
+// A cell has as many paths as its volume; cells come in the order of the subdivision. A search
+// takes log2(cells) steps.
 // Edges: a path number that no cell has: std::out_of_range.
 #pragma once
 

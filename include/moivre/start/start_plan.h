@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Which homotopies lead to all roots, and where do their paths begin? A plan of stages; it tracks nothing itself.
+// Which homotopies lead to all roots, and where do their paths begin? A plan of stages; it tracks
+// nothing itself.
 //
-//   path 0..paths-1 --start point--> stage 1 --its end at t = 1--> stage 2 --> ... --> the target's roots
+//   path 0..paths-1 --start point--> stage 1 --its end at t = 1--> stage 2 --> ... --> the target's
+//   roots
 //
-// Every path goes through all stages. Start points are computed from the path's number, never stored; where the first stage
-// is toric a path brings the weights of its cell in its frame (homotopy/frame.h). Immutable and shared by all threads.
+// Every path goes through all stages. Start points are computed from the path's number, never
+// stored; where the first stage is toric a path brings the weights of its cell in its frame
+// (homotopy/frame.h). Immutable and shared by all threads.
 #pragma once
 
 #include <cstdint>

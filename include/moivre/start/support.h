@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Which monomials does a polynomial have? Its support: the exponent vectors of its terms, in the polynomial's order.
+// Which monomials does a polynomial have? Its support: the exponent vectors of its terms, in the
+// polynomial's order.
 //
 //   A_i = {a_i1, a_i2, ...}: n integers >= 0 each, a_ik the exponents of term k of F_i.
 //
-// Coefficients do not matter here: what is computed from supports holds for generic coefficients on them. A support
-// that is made by hand may have terms in any order. The roots with zero coordinates are counted too when every support
-// has the exponent vector 0 [LiWang96]: `with_origin`. Not supported: negative exponents.
+// Coefficients do not matter here: what is computed from supports holds for generic coefficients on
+// them. A support that is made by hand may have terms in any order. The roots with zero coordinates
+// are counted too when every support has the exponent vector 0 [LiWang96]: `with_origin`. Not
+// supported: negative exponents.
 #pragma once
 
 #include <cstddef>
@@ -34,7 +36,8 @@ struct SupportsWithOrigin {
   std::vector<bool> added;          ///< true: it was missing and is now the last term
 };
 
-/// Adds 0 to every support of n variables that lacks it. Throws std::invalid_argument when a term has not n exponents.
+/// Adds 0 to every support of n variables that lacks it. Throws std::invalid_argument when a term
+/// has not n exponents.
 SupportsWithOrigin with_origin(std::vector<Support> supports, std::size_t n);
 
 /// Throws std::invalid_argument unless there are as many supports as each term has exponents.

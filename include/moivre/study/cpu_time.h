@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How long does something take, in CPU seconds of this process? Short runs are repeated until the clock can tell.
+// How long does something take, in CPU seconds of this process? Short runs are repeated until the
+// clock can tell.
 #pragma once
 
 #include <ctime>
@@ -8,7 +9,8 @@
 
 namespace moivre {
 
-/// Runs shorter than this in all are repeated, so that the clock's ticks and the cache's first misses do not show.
+/// Runs shorter than this in all are repeated, so that the clock's ticks and the cache's first
+/// misses do not show.
 inline constexpr double kLeastTimed_s = 0.05;
 inline constexpr int kMostRepetitions = 5;
 

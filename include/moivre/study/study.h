@@ -2,20 +2,23 @@
 // What does accuracy cost? One system solved with many trackers and tolerances, over several seeds.
 // Errors are against roots known to 50 digits.
 //
-//   error(x) = |x - x*|_inf / max(1, |x*|_inf), the largest over the simple roots and all seeds, in three places:
+//   error(x) = |x - x*|_inf / max(1, |x*|_inf), the largest over the simple roots and all seeds, in
+//   three places:
 //     end_error    where the tracker's last step left the path (solver/drift.h)
 //     error        of the roots that solve() delivers, residuals in double-double
 //     plain_error  of the same roots, after Newton's method with residuals in plain double
 //
-//   own        solve() without tracking doubtful paths again, neither with tighter tolerances nor in double-double. So the lost
-//              roots are those of the tracker
+//   own        solve() without tracking doubtful paths again, neither with tighter tolerances nor
+//              in double-double. So the lost roots are those of the tracker
 //   repaired   solve() as it is
-//   jumped     paths whose end is nearest to another path's root. Runs of both trackers with tight tolerances tell which root
-//              belongs to which path
+//   jumped     paths whose end is nearest to another path's root. Runs of both trackers with tight
+//              tolerances tell which root belongs to which path
 //
-// CPU time is that of the whole solve() on one thread, reading excluded; a short solve is repeated. Counts are those of the
-// worst seed, work is the median. Singular roots count as found or lost, but have no error: no digits of theirs are proved.
-// Edges: roots on sets of positive dimension are left out. Not supported: systems that are not square.
+// CPU time is that of the whole solve() on one thread, reading excluded; a short solve is repeated.
+// Counts are those of the worst seed, work is the median. Singular roots count as found or lost,
+// but have no error: no digits of theirs are proved.
+// Edges: roots on sets of positive dimension are left out. Not supported: systems that are not
+// square.
 #pragma once
 
 #include <memory>
@@ -37,7 +40,8 @@ struct Spread {
   double most = 0;
 };
 
-/// The spread of at least one value; the lower of the two middle ones is the median of an even number.
+/// The spread of at least one value; the lower of the two middle ones is the median of an even
+/// number.
 Spread spread_of(std::vector<double> values);
 
 /// What solve() made of one setting.
@@ -124,15 +128,17 @@ struct StudyResult {
   double cpu_s = 0;  ///< of all of it
 };
 
-/// What is solved: a system by solve(), or something that ends in roots of a system, such as closures.
+/// What is solved: a system by solve(), or something that ends in roots of a system, such as
+/// closures.
 struct StudySubject {
   System system;           ///< whose roots the solutions are; polished where it is square
   bool has_paths = false;  ///< the solutions' path numbers are those of solve(system)
   std::function<SolveResult(const Tracker&, const SolveOptions&, const std::atomic<bool>&)> solve;
 };
 
-/// `referee` and `witness` are trackers with tight tolerances that are compared with each other; `witness` may be nullptr. Throws
-/// std::invalid_argument when the options or the system are not as said; a set `stop` ends with the rows that are finished.
+/// `referee` and `witness` are trackers with tight tolerances that are compared with each other;
+/// `witness` may be nullptr. Throws std::invalid_argument when the options or the system are not as
+/// said; a set `stop` ends with the rows that are finished.
 StudyResult study_subject(const StudySubject& subject, const std::vector<StudySetting>& settings,
                           const Tracker& referee, const Tracker* witness,
                           const StudyOptions& options = {},

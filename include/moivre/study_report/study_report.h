@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
-// How is a study reported? A table as text and CSV, everything as JSON, work-precision diagrams for gnuplot, a page that holds all.
+// How is a study reported? A table as text and CSV, everything as JSON, work-precision diagrams for
+// gnuplot, a page that holds all.
 //
-// CSV: one row a file and setting, columns named in the first row; what is unknown is empty. The JSON is shown in docs/json.md.
-// Diagram: log10 error over log10 CPU time, a curve a method along its tolerances; on the left what the tracker itself
-// leaves, on the right what solve() delivers. A setting that loses roots is a cross with their number beside it. A mechanism's
-// motion has a diagram of its own: errors of position, velocity and acceleration over CPU time.
+// CSV: one row a file and setting, columns named in the first row; what is unknown is empty. The
+// JSON is shown in docs/json.md.
+// Diagram: log10 error over log10 CPU time, a curve a method along its tolerances; on the left what
+// the tracker itself leaves, on the right what solve() delivers. A setting that loses roots is a
+// cross with their number beside it. A mechanism's motion has a diagram of its own: errors of
+// position, velocity and acceleration over CPU time.
 #pragma once
 
 #include <optional>
@@ -40,8 +43,8 @@ std::string study_json(const std::vector<StudiedFile>& studies);
 std::vector<StudyDiagram> study_diagrams(const StudiedFile& study);
 std::string study_html(const std::vector<StudiedFile>& studies);
 
-/// Roots with multiplicity, by the index.json beside the file (problems/polynomials/index.json); nullopt where there is
-/// no index, or it does not name the file.
+/// Roots with multiplicity, by the index.json beside the file (problems/polynomials/index.json);
+/// nullopt where there is no index, or it does not name the file.
 std::optional<std::uint64_t> known_count(const std::string& file);
 
 }  // namespace moivre

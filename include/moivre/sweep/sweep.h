@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
-// In how many ways can a mechanism be assembled while one or two of its numbers vary? Closures counted on a grid, and its borders.
+// In how many ways can a mechanism be assembled while one or two of its numbers vary? Closures
+// counted on a grid, and its borders.
 //
-// Every sample solves all closures, with families learned by the first samples (family/book.h). Between neighbouring samples with
-// different counts lies a border: closures meet in pairs, reach a joint's limit, no longer close within fit, or begin to move. It is located
-// by bisection.
+// Every sample solves all closures, with families learned by the first samples (family/book.h).
+// Between neighbouring samples with different counts lies a border: closures meet in pairs, reach a
+// joint's limit, no longer close within fit, or begin to move. It is located by bisection.
 //
-//   one number    samples in order; borders to kBorder of the range, several between two samples where halves differ
-//   two numbers   the first one varies slowest; a border point on every edge of the grid whose ends differ, to kMapBorder of the edge
+//   one number    samples in order; borders to kBorder of the range, several between two samples
+//                 where halves differ
+//   two numbers   the first one varies slowest; a border point on every edge of the grid whose ends
+//                 differ, to kMapBorder of the edge
 //
-// Edges: a sample that is not complete (a path failed, or the run was interrupted) has no border next to it. Closures that appear and
-// disappear between two samples with the same count are not seen.
+// Edges: a sample that is not complete (a path failed, or the run was interrupted) has no border
+// next to it. Closures that appear and disappear between two samples with the same count are not
+// seen.
 #pragma once
 
 #include <Eigen/Core>
@@ -80,7 +84,8 @@ struct SweepResult {
   int threads = 1;
 };
 
-/// varied: one or two. Throws std::invalid_argument with every fault before any solve. `book` grows.
+/// varied: one or two. Throws std::invalid_argument with every fault before any solve. `book`
+/// grows.
 SweepResult sweep(const Mechanism& mechanism, const std::vector<Varied>& varied,
                   const Tracker& tracker, FamilyBook& book, const SweepOptions& options = {},
                   const std::atomic<bool>& stop = std::atomic<bool>{false});

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Along which curve in the complex t-plane is a path followed? t(s) for s in [0, 1]: a segment or a spiral.
+// Along which curve in the complex t-plane is a path followed? t(s) for s in [0, 1]: a segment or a
+// spiral.
 //
 //   segment:  t(s) = a + (b - a) s
 //   spiral:   t(s) = 1 - r e^{lambda s}     lambda = 2 pi i m: m turns round t = 1;
 //                                           lambda = -log q: straight towards t = 1, q times nearer
 // A spiral towards t = 1 is how an endgame approaches: functions of (1 - t)^{1/m} are smooth in
-// log(1 - t). Near t = 1 the homotopy depends on its weight 1 - t. So contours give 1 - t with all its digits, besides t.
+// log(1 - t). Near t = 1 the homotopy depends on its weight 1 - t. So contours give 1 - t with all
+// its digits, besides t.
 #pragma once
 
 #include <cmath>

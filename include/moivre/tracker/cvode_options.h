@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What can be chosen of CVODE as a tracker? It stands apart from the tracker, so that every program knows its options by name.
+// What can be chosen of CVODE as a tracker? It stands apart from the tracker, so that every program
+// knows its options by name.
 //
 // What the methods and iterations do is told in tracker_cvode/cvode_tracker.h.
 #pragma once

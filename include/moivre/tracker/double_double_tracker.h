@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How is a path followed in double-double? As tracker/fine_tracker.h says, one path after the other.
+// How is a path followed in double-double? As tracker/fine_tracker.h says, one path after the
+// other.
 #pragma once
 
 #include "moivre/tracker/fine_tracker.h"

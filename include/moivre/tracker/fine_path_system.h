@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
-// What does the path look like near (x, t), in more digits than double? As tracker/path_system.h, without its shortcuts.
+// What does the path look like near (x, t), in more digits than double? As tracker/path_system.h,
+// without its shortcuts.
 //
-//   J = [ H_x ; a ],   J dx = [ -H ; 1 - a x ]  Newton correction,   J x' = [ -H_t dt ; 0 ]  tangent
+//   J = [ H_x ; a ],   J dx = [ -H ; 1 - a x ]  Newton correction,   J x' = [ -H_t dt ; 0 ]
+//                                               tangent
 //
-// a: the patch, a row that the tracker moves along with the path. The natural patch x^H would leave the scale of x to the
-// predictor. With a predictor of several points, errors of scale would then grow from step to step.
-// S: a complex scalar (numeric/scalar.h), double-double or one of more digits; e its `epsilon`. Everything is evaluated, factored and
-// solved in S, with a fresh J for each correction. Every limit is a power of e or a multiple of it: nothing else depends on S.
+// a: the patch, a row that the tracker moves along with the path. The natural patch x^H would leave
+// the scale of x to the predictor. With a predictor of several points, errors of scale would then
+// grow from step to step.
+// S: a complex scalar (numeric/scalar.h), double-double or one of more digits; e its `epsilon`.
+// Everything is evaluated, factored and solved in S, with a fresh J for each correction. Every
+// limit is a power of e or a multiple of it: nothing else depends on S.
 #pragma once
 
 #include <algorithm>
@@ -94,7 +98,8 @@ class FinePathSystem {
     }
   }
 
-  /// Evaluates H, H_x, H_t at (x, t) and factors J. False when J is singular or something is not finite.
+  /// Evaluates H, H_x, H_t at (x, t) and factors J. False when J is singular or something is not
+  /// finite.
   bool linearize(std::span<const S> x, const PathTime& t) {
     const std::size_t columns = n_ + 1;
     const auto j = lu_.matrix();
@@ -125,7 +130,8 @@ class FinePathSystem {
     return weighted_norm(rounded_dx_, rounded_x_);
   }
 
-  /// Newton's method from x at fixed t, x replaced. It is to contract by ten at least, as it does at no multiple root.
+  /// Newton's method from x at fixed t, x replaced. It is to contract by ten at least, as it does
+  /// at no multiple root.
   Settling settle(std::span<S> x, const PathTime& t, const SettlingRules& rules) {
     Settling result;
     double previous = rules.reach;
@@ -150,7 +156,8 @@ class FinePathSystem {
     return result;
   }
 
-  /// A point that settled at t = 1 by at_end(): is its last correction what rounding makes of a condition that S can bear?
+  /// A point that settled at t = 1 by at_end(): is its last correction what rounding makes of a
+  /// condition that S can bear?
   /// Beside |x|_inf: of a coordinate that is 0, rounding makes much more beside its own floor.
   bool is_regular_end() {
     const double bearable = condition();
@@ -188,12 +195,15 @@ class FinePathSystem {
  private:
   static constexpr double kEpsilon = Scalar<S>::epsilon;
   static constexpr double kReach = 1e-2;
-  // Newton's method has to contract by this factor, which no multiple root allows (a double root: 1/2).
+  // Newton's method has to contract by this factor, which no multiple root allows (a double root:
+  // 1/2).
   static constexpr double kContraction = 0.1;
   static constexpr int kIterations = 12;
-  // Equations have coefficients near 1 and |x| is near 1: a residual below this is made of rounding errors.
+  // Equations have coefficients near 1 and |x| is near 1: a residual below this is made of rounding
+  // errors.
   static constexpr double kRoundingResidual = 2e4 * kEpsilon;
-  // At an end corrections are also to be no larger than rounding makes them: so many times the condition.
+  // At an end corrections are also to be no larger than rounding makes them: so many times the
+  // condition.
   static constexpr double kNoise = 20 * kEpsilon;
   // A point is known where corrections fall below this.
   static constexpr double kKnown = 2e5 * kEpsilon;

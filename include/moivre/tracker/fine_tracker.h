@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: MIT
-// How is a path followed that double cannot decide? Entirely in a scalar S of more digits: point, H, J, factors, step.
+// How is a path followed that double cannot decide? Entirely in a scalar S of more digits: point,
+// H, J, factors, step.
 //
-//   w         -log(1 - s) where the contour ends at t = 1, elsewhere s: (1 - s)^{1/m}, as at a singular end, is smooth in it
-//   predict   the polynomial in w through the last six points and tangents (tracker/hermite_predictor.h); the tangent alone at first
+//   w         -log(1 - s) where the contour ends at t = 1, elsewhere s: (1 - s)^{1/m}, as at a
+//             singular end, is smooth in it
+//   predict   the polynomial in w through the last six points and tangents
+//             (tracker/hermite_predictor.h); the tangent alone at first
 //   correct   Newton's method, a fresh J each time, until it corrects far less than at first
-//   step      h <- h min(tolerance / |dx_1|, Theta / (|dx_2| / |dx_1|))^{1 / order}: the first correction is the predictor's error;
-//             beside the next sheet's distance, about |dx_1|^2 / |dx_2|, it is how fast Newton's method contracts
-//   land      to w = infinity, by the polynomial in s, as soon as a step of w is as long as what is left of s and the polynomial's
-//             last term is small beside the next sheet's distance
+//   step      h <- h min(tolerance / |dx_1|, Theta / (|dx_2| / |dx_1|))^{1 / order}: the first
+//             correction is the predictor's error;
+//             beside the next sheet's distance, about |dx_1|^2 / |dx_2|, it is how fast Newton's
+//             method contracts
+//   land      to w = infinity, by the polynomial in s, as soon as a step of w is as long as what is
+//             left of s and the polynomial's last term is small beside the next sheet's distance
 //
-// For the few paths that need it: in double-double a step takes some thirty times as long as in double, in a hundred digits some
-// thousand times. s and 1 - s are both stored, so that steps near either end may be as small as doubles are. A path reaches t = 1
-// only at a regular end: Newton's method must contract far better than at a multiple root until rounding stops it, and the condition
-// must not be too large for S. At a singular end the result is step_too_small. Each level of Departure::care divides the
-// tolerance by 10. Owns its memory; allocates nothing a step but what S does.
-// Not supported: tolerances below 1e-11 on circles, whose points are known as doubles while the polynomial looks for more; an end whose
-// condition needs 1 - t below the smallest double.
+// For the few paths that need it: in double-double a step takes some thirty times as long as in
+// double, in a hundred digits some thousand times. s and 1 - s are both stored, so that steps near
+// either end may be as small as doubles are. A path reaches t = 1 only at a regular end: Newton's
+// method must contract far better than at a multiple root until rounding stops it, and the
+// condition must not be too large for S. At a singular end the result is step_too_small. Each level
+// of Departure::care divides the tolerance by 10. Owns its memory; allocates nothing a step but
+// what S does.
+// Not supported: tolerances below 1e-11 on circles, whose points are known as doubles while the
+// polynomial looks for more; an end whose condition needs 1 - t below the smallest double.
 // Source: [Deuflhard04] for the step, [Timme21] for the norm.
 #pragma once
 
@@ -116,7 +123,8 @@ class FineSession : public TrackerSession {
   static constexpr double kLeastGrowth = 0.2;
   static constexpr double kRefusedStep = 0.25;
   static constexpr double kCareFactor = 10;
-  // A step of w that is as long as all that is left of s, at the pace at which it begins: landing is tried first.
+  // A step of w that is as long as all that is left of s, at the pace at which it begins: landing
+  // is tried first.
   static constexpr double kLandingStep = 1;
   // To 1e-13 of 1 - s: what the last points tell reaches no further.
   static constexpr double kLargestStep = 30;
@@ -125,8 +133,8 @@ class FineSession : public TrackerSession {
   // Theta, and how near an end has to be predicted beside the distance to the next sheet.
   static constexpr double kContraction = 0.01;
   static constexpr double kSureLanding = 0.1;
-  // A point of the way is known when Newton's method, which is to contract quadratically, corrects it by this share of the first
-  // correction.
+  // A point of the way is known when Newton's method, which is to contract quadratically, corrects
+  // it by this share of the first correction.
   static constexpr double kFarBelow = 1e-4;
   // A first correction below this fraction of the tolerance lengthens the step no further.
   static constexpr double kLeastCorrection = 1e-12;
@@ -192,7 +200,8 @@ typename Scalar<S>::Real FineSession<S>::position(const Place& place, bool is_in
   return place.s < 0.5 ? Real(place.s) : Real(1.0) - Real(place.left);
 }
 
-// trial <- the polynomial through the known points, at the position of `next`; the size of its last term beside |x|.
+// trial <- the polynomial through the known points, at the position of `next`; the size of its last
+// term beside |x|.
 template <class S>
 double FineSession<S>::predict(const Place& next, const Real& at) {
   const bool is_in_w = clock_.is_logarithmic && !next.is_end();
@@ -246,7 +255,8 @@ bool FineSession<S>::is_watched(const Departure& departure, const Settling& sett
   return departure.watcher->watch(record, watched_) == Watcher::Verdict::stop;
 }
 
-/// Of a step, by both of what the first corrections tell: the prediction's error, and how near that is to the next sheet.
+/// Of a step, by both of what the first corrections tell: the prediction's error, and how near that
+/// is to the next sheet.
 template <class S>
 double FineSession<S>::growth(const Settling& settling, double tolerance) const {
   const double error = std::max(settling.first / tolerance, kLeastCorrection);

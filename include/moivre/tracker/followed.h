@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// On what do the ends of paths depend? On the homotopy and the tracker, put into a fingerprint here, and on where paths begin.
+// On what do the ends of paths depend? On the homotopy and the tracker, put into a fingerprint
+// here, and on where paths begin.
 //
-// Coefficients are taken as they are rounded, where they are followed in double; what is left out follows from them and from the file
-// that they come from.
+// Coefficients are taken as they are rounded, where they are followed in double; what is left out
+// follows from them and from the file that they come from.
 #pragma once
 
 #include "moivre/numeric/fingerprint.h"

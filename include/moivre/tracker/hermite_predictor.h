@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Where does a path go on? The polynomial through its last points and tangents, in a scalar S of more digits than double.
+// Where does a path go on? The polynomial through its last points and tangents, in a scalar S of
+// more digits than double.
 //
-//   p(w_i) = x_i, p'(w_i) = x'_i at k nodes: degree 2 k - 1, Newton's form with each node twice (Hermite)
-//   error a step h ahead, the nodes h apart: (k!)^2 (h / R)^{2 k} of |x|, R the distance of the next singular point
+//   p(w_i) = x_i, p'(w_i) = x'_i at k nodes: degree 2 k - 1, Newton's form with each node twice
+//   (Hermite)
+//   error a step h ahead, the nodes h apart: (k!)^2 (h / R)^{2 k} of |x|, R the distance of the
+//   next singular point
 //
-// Beside another sheet many digits are asked for: they take many steps at a low order and few at a high one. A node more costs next to
-// nothing beside an evaluation in S.
+// Beside another sheet many digits are asked for: they take many steps at a low order and few at a
+// high one. A node more costs next to nothing beside an evaluation in S.
 // Edges: one node gives the tangent; its error is not known. Allocates nothing but what S does.
 // Source: [StoerBulirsch02, section 2.1.5], divided differences of nodes that coincide.
 #pragma once
@@ -39,8 +42,8 @@ class HermitePredictor {
  public:
   static constexpr std::size_t kMostNodes = 6;
 
-  /// y <- p(w). nodes: 1 ... kMostNodes, all w_i different. Returns the largest coordinate of the term of highest degree; infinity
-  /// where there is but one node.
+  /// y <- p(w). nodes: 1 ... kMostNodes, all w_i different. Returns the largest coordinate of the
+  /// term of highest degree; infinity where there is but one node.
   double predict(std::span<const HermiteNode<S>> nodes, const Real& w, std::span<S> y) {
     const std::size_t count = 2 * nodes.size();
     prepare(nodes, w);

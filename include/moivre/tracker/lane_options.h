@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What can be chosen of the lanes? It stands apart from the tracker, so that every program knows its options by name.
+// What can be chosen of the lanes? It stands apart from the tracker, so that every program knows
+// its options by name.
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Which options has a tracker? One table each. The command line, its --help, validation, JSON and docs/trackers.md are made of it.
+// Which options has a tracker? One table each. The command line, its --help, validation, JSON and
+// docs/trackers.md are made of it.
 //
-// A row ties a member of the tracker's options to its name in JSON, its flag, the words or the range of numbers that it takes, and a
-// sentence. Its default is that of the member: it stands in the struct and nowhere else.
-// Edges: a value that nobody can choose (how many lanes there are) has no row, and stands among the options in force all the same.
+// A row ties a member of the tracker's options to its name in JSON, its flag, the words or the
+// range of numbers that it takes, and a sentence. Its default is that of the member: it stands in
+// the struct and nowhere else.
+// Edges: a value that nobody can choose (how many lanes there are) has no row, and stands among the
+// options in force all the same.
 #pragma once
 
 #include <algorithm>

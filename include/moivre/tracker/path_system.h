@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: MIT
-// What does the path look like near (x, t)? Newton corrections, tangent and condition from one factorization.
+// What does the path look like near (x, t)? Newton corrections, tangent and condition from one
+// factorization.
 //
-// The homotopy has n equations in N = n + 1 homogeneous coordinates; the last row is the natural patch of the point
-// itself, x^H (.) = 0, so corrections and tangents are the shortest ones and |x| hardly changes:
+// The homotopy has n equations in N = n + 1 homogeneous coordinates; the last row is the natural
+// patch of the point itself, x^H (.) = 0, so corrections and tangents are the shortest ones and |x|
+// hardly changes:
 //
 //   J = [ H_x ]     J dx = [ -H ]    Newton correction         J x' = [ -H_t dt/ds ]   tangent
 //       [ x^H ]            [  0 ]                                     [      0     ]
 //
-// J: N x N, rows scaled (factorization/lu.h). Corrections are measured by |dx|_w = max_i |dx_i| / w_i,
-// w_i = max(|x_i|, kRelativeFloor |x|_inf): relative in each coordinate, with a floor.
+// J: N x N, rows scaled (factorization/lu.h). Corrections are measured by |dx|_w = max_i |dx_i| /
+// w_i, w_i = max(|x_i|, kRelativeFloor |x|_inf): relative in each coordinate, with a floor.
 //
-// Where rounding of the residual stops Newton's method, H is evaluated in double-double from there on; x, J and its factors stay
-// double. Corrections then contract until x itself is rounded, up to conditions near 1e14.
+// Where rounding of the residual stops Newton's method, H is evaluated in double-double from there
+// on; x, J and its factors stay double. Corrections then contract until x itself is rounded, up to
+// conditions near 1e14.
 // Source: [ShubSmale93] for the patch, [Timme21, sec. 2] for the norm.
 #pragma once
 
@@ -75,10 +78,12 @@ class PathSystem {
   /// The correction that the last step of correct() took.
   std::span<const Complex> last_correction() const { return dx_; }
 
-  /// The frame of the path that is looked at, where the homotopy is framed; it has to stay where it is.
+  /// The frame of the path that is looked at, where the homotopy is framed; it has to stay where it
+  /// is.
   void set_frame(const PathFrame* frame) noexcept;
 
-  /// Evaluates H, H_x, H_t at (x, t) and factors J. False when J is singular or something is not finite.
+  /// Evaluates H, H_x, H_t at (x, t) and factors J. False when J is singular or something is not
+  /// finite.
   bool linearize(std::span<const Complex> x, const PathTime& t) noexcept;
 
   /// dx <- J^{-1} [-H_t dt; 0] with the factors of the last linearize().
@@ -87,13 +92,15 @@ class PathSystem {
   /// w <- J^{-H} w with the factors of the last linearize(): n + 1.
   void solve_adjoint(std::span<Complex> w) noexcept { lu_.solve_adjoint(w); }
 
-  /// Newton from x at fixed t, x replaced. Simplified: the factors of the last linearize() serve as long as they contract;
+  /// Newton from x at fixed t, x replaced. Simplified: the factors of the last linearize() serve as
+  /// long as they contract;
   /// they are renewed once when they do not, and at the start when `fresh`.
   Correction correct(std::span<Complex> x, const PathTime& t, const CorrectorOptions& options,
                      bool fresh) noexcept;
 
-  /// Condition number of J as it stands, from the last linearize(): it tells a vanishing row as well,
-  /// so it grows wherever the path nears a singular point. Equations are to have coefficients near 1.
+  /// Condition number of J as it stands, from the last linearize(): it tells a vanishing row as
+  /// well, so it grows wherever the path nears a singular point. Equations are to have coefficients
+  /// near 1.
   double condition() noexcept { return lu_.unscaled_condition(); }
 
   /// The homotopy's coefficients; rounded when they are first asked for.

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-// What does a tracker promise? It follows path segments along contours, and says of each how far it came.
+// What does a tracker promise? It follows path segments along contours, and says of each how far it
+// came.
 //
 //   Departure   a path segment to be followed: a point and a contour from it
 //   Arrival     its result: the last point that was reached, and the status (Journey)
 //
-// A source hands out departures. The tracker follows each as far as it can and gives the arrival back to the source. The source
-// may then have further departures, such as an endgame's circles. A tracker with many lanes follows many segments at
-// once, one with a single lane one after the other. A tracker decides nothing about roots: endgame/ judges the end of a
-// path, and solver/ keeps the counts.
+// A source hands out departures. The tracker follows each as far as it can and gives the arrival
+// back to the source. The source may then have further departures, such as an endgame's circles. A
+// tracker with many lanes follows many segments at once, one with a single lane one after the
+// other. A tracker decides nothing about roots: endgame/ judges the end of a path, and solver/
+// keeps the counts.
 //
 // x: N homogeneous coordinates, s: contour parameter in [0, 1], t = contour(s).
 #pragma once
@@ -84,8 +86,8 @@ struct Arrival {
   PathTime t{0.0};
   StepCount count;
   std::vector<Point> samples;  ///< in the order of s; all of them if s = 1 was reached
-  /// At t = 1, from trackers with more digits than double: condition of J, where Newton's method converged quadratically to
-  /// a point that is known beyond double. nullopt: not tested.
+  /// At t = 1, from trackers with more digits than double: condition of J, where Newton's method
+  /// converged quadratically to a point that is known beyond double. nullopt: not tested.
   std::optional<double> regular_condition;
   double accuracy = 0;  ///< then: |dx| / |x| that x had before it was rounded to double
 };
@@ -94,7 +96,8 @@ struct Arrival {
 class DepartureSource {
  public:
   virtual ~DepartureSource() = default;
-  /// The next departure, or nullopt when there is none *now*. The session ends when it has no segment under way either.
+  /// The next departure, or nullopt when there is none *now*. The session ends when it has no
+  /// segment under way either.
   virtual std::optional<Departure> next() = 0;
   /// Takes the result of a departure. It may make further departures for `next`.
   virtual void arrived(const Departure& departure, Arrival&& arrival) = 0;
@@ -104,8 +107,9 @@ class DepartureSource {
 class TrackerSession {
  public:
   virtual ~TrackerSession() = default;
-  /// Until the source has no more departures. A set `stop` ends segments under way with Journey::cancelled. Throws what the source
-  /// throws, and std::bad_alloc; segments under way are lost then, and the session is of no more use.
+  /// Until the source has no more departures. A set `stop` ends segments under way with
+  /// Journey::cancelled. Throws what the source throws, and std::bad_alloc; segments under way are
+  /// lost then, and the session is of no more use.
   virtual void run(DepartureSource& source, const std::atomic<bool>& stop) = 0;
 };
 
@@ -122,7 +126,8 @@ class Tracker {
   virtual std::unique_ptr<Tracker> in_double_double() const { return nullptr; }
 };
 
-/// session.run(). What the source throws is thrown here, when the segments under way have ended; no others begin.
+/// session.run(). What the source throws is thrown here, when the segments under way have ended; no
+/// others begin.
 void run_session(TrackerSession& session, DepartureSource& source, const std::atomic<bool>& stop);
 
 /// Follows one departure.

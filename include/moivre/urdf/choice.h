@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Which links and joints of a robot does a user mean? Links by name, the tip, and joints that are held at a value.
+// Which links and joints of a robot does a user mean? Links by name, the tip, and joints that are
+// held at a value.
 //
-// A held joint stands at its value; joints that mimic it, and those that it mimics, are held with it.
+// A held joint stands at its value; joints that mimic it, and those that it mimics, are held with
+// it.
 // What cannot be is added to `faults`, each a sentence with the links or joints to choose from.
 #pragma once
 
@@ -30,7 +32,8 @@ std::size_t find_tip(const Robot& robot, const std::optional<std::string>& name,
 
 void check_held(const Robot& robot, const std::vector<HeldJoint>& held,
                 std::vector<std::string>& faults);
-/// The value at which the joint is held, itself or by one that moves together with it; nothing where it is free.
+/// The value at which the joint is held, itself or by one that moves together with it; nothing
+/// where it is free.
 std::optional<double> held_value(const Robot& robot, std::size_t joint,
                                  const std::vector<HeldJoint>& held);
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// What is the robot? A tree of links and joints, as its URDF file has it, every number exactly as typed.
+// What is the robot? A tree of links and joints, as its URDF file has it, every number exactly as
+// typed.
 //
-// A joint places its child's frame in its parent's. First comes the origin: xyz in metres, then the rotation rpy in radians, about
-// the fixed axes x, y, z. Then comes the motion: a rotation about `axis`, or a displacement along it. The axis is in the child's frame.
+// A joint places its child's frame in its parent's. First comes the origin: xyz in metres, then the
+// rotation rpy in radians, about the fixed axes x, y, z. Then comes the motion: a rotation about
+// `axis`, or a displacement along it. The axis is in the child's frame.
 // The root is the one link that is no joint's child; every other link is the child of exactly one.
-// Not supported: planar and floating joints, loops (a URDF has none). What does not move anything (meshes, inertia,
-// transmissions) is not kept.
+// Not supported: planar and floating joints, loops (a URDF has none). What does not move anything
+// (meshes, inertia, transmissions) is not kept.
 #pragma once
 
 #include <array>
@@ -64,8 +66,9 @@ struct Robot {
   std::size_t root = 0;
 };
 
-/// Every broken rule as a sentence, empty where there is none: joints make one tree of the links, names are given and differ, numbers
-/// can be worked with, axes of moving joints are not zero, no joint mimics itself. What a reader makes breaks none.
+/// Every broken rule as a sentence, empty where there is none: joints make one tree of the links,
+/// names are given and differ, numbers can be worked with, axes of moving joints are not zero, no
+/// joint mimics itself. What a reader makes breaks none.
 std::vector<std::string> broken_rules(const Robot& robot);
 
 bool is_moving(const RobotJoint& joint);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A stranger's program: returns 0 when an expression has its one fault, and a file that is not there is refused by the library's exception.
+// A stranger's program: returns 0 when an expression has its one fault, and a file that is not
+// there is refused by the library's exception.
 #include <moivre/expression/expression.h>
 #include <moivre/expression/source.h>
 

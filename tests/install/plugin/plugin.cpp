@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A stranger's plugin: how many certified roots has a system? Wilkinson's polynomial of degree 15 needs more digits than double's.
+// A stranger's plugin: how many certified roots has a system? Wilkinson's polynomial of degree 15
+// needs more digits than double's.
 #include <moivre/polynomial/read.h>
 #include <moivre/solver/solve.h>
 #include <moivre/tracker_lanes/lane_tracker.h>
