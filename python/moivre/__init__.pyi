@@ -137,6 +137,7 @@ class Closure:
     residual: float
     misfit: float
     fitted: bool
+    play: Optional[float]
     drawn: bool
     def __getitem__(self, name: str) -> float: ...
 

@@ -66,6 +66,8 @@ class Closure(_Named):
         By how much it does not close, in the file's unit of length.
     fitted : bool
         It closes only within `fit=`.
+    play : float or None
+        With `fit=`, how far poses reach that are within it and hang together with this one, in radians or of the pose's size.
     drawn : bool
         It is the pose that was drawn.
     """
@@ -81,6 +83,7 @@ class Closure(_Named):
     residual: float
     misfit: float
     fitted: bool
+    play: object
     drawn: bool
 
     def __repr__(self):
@@ -187,7 +190,7 @@ class Closures(_Reported):
         return Closure(self.ids[k], tuple(self.names), self.q[k], bodies, points, self._arrays["certified"][k],
                        bool(self._arrays["singular"][k]), int(self._arrays["multiplicity"][k]),
                        float(self._arrays["residual"][k]), float(self._arrays["misfit"][k]),
-                       bool(self._arrays["fitted"][k]), bool(self._arrays["drawn"][k]))
+                       bool(self._arrays["fitted"][k]), self._arrays["play"][k], bool(self._arrays["drawn"][k]))
 
     def __iter__(self):
         return (self[k] for k in range(len(self)))

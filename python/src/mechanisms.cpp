@@ -209,12 +209,14 @@ py::dict closure_arrays(const FoundClosures& found) {
   arrays["misfit"] = column<double>(list, [](const Closure& c) { return c.misfit; });
   arrays["fitted"] = column<bool>(list, [](const Closure& c) { return c.is_fitted; });
   arrays["drawn"] = column<bool>(list, [](const Closure& c) { return c.is_drawn; });
-  py::list ids, certified;
+  py::list ids, certified, play;
   for (const Closure& c : list) {
     ids.append(c.id);
     certified.append(optional_bool(c.certified));
+    play.append(c.play ? py::object(py::float_(*c.play)) : py::object(py::none()));
   }
   arrays["ids"] = ids;
+  arrays["play"] = play;
   arrays["certified"] = certified;
   return arrays;
 }

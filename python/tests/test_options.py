@@ -324,3 +324,12 @@ def test_a_sensitivity_is_told_as_on_the_command_line(command, tmp_path):
 def test_the_drawn_closure_is_marked():
     closures = moivre.Mechanism(MECHANISMS / "jansen-leg.toml").closures()
     assert sum(c.drawn for c in closures) <= 1 and all(c.misfit >= 0 and not c.fitted for c in closures)
+
+
+def test_a_closure_within_a_fit_has_its_play(command):
+    file = PROBLEMS / "people" / "fit-not-assembled.toml"
+    closures = moivre.Mechanism(file).closures(fit=0.05)
+    told = parsed(command("closures", file, "--fit", "0.05"))["closures"]
+    assert [c.play for c in closures] == [c["play"] for c in told] and len(told) == 1
+    assert closures[0].play > 0
+    assert moivre.Mechanism(FOUR_BAR).closures()[0].play is None
