@@ -59,9 +59,9 @@ bool WithinFit::is_beside_roots(const VectorXd& q) const {
 /// Puts q into W across `way`, in own units. Directions along which fit leaves the pose free are
 /// not gone along: damped by sigma^2 = fit.
 bool WithinFit::correct(VectorXd& q, const VectorXd& way) const {
-  constexpr int kCorrections = 8;
+  constexpr int kCorrectionsAcross = 8;
   const VectorXd row_unit = phi_.own_row_units();
-  for (int k = 0; k <= kCorrections; ++k) {
+  for (int k = 0; k <= kCorrectionsAcross; ++k) {
     if (!q.allFinite()) return false;
     if (has(q)) return true;
     const MatrixXd J = in_own_units(phi_, phi_.jacobian(q, t_));
