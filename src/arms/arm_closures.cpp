@@ -128,11 +128,13 @@ double imaginary_size(const Arm& arm, const JointVector<Complex>& values) {
   return largest;
 }
 
-/// How far the joints that were added are from 0, where they stand at a closure of the arm.
+/// How far the turns that were added are from 0, where they stand at a closure of the arm.
 double added_size(const Beginning& beginning, const ApproachEnd& end) {
   double largest = 0;
   for (std::size_t k = beginning.six.own.size(); k < beginning.six.arm.joints.size(); ++k) {
-    largest = std::max(largest, std::abs(end.values[static_cast<Eigen::Index>(k)]));
+    const Complex angle = end.values[static_cast<Eigen::Index>(k)];
+    const double within_turn = std::remainder(angle.real(), 2 * std::numbers::pi);
+    largest = std::max(largest, std::hypot(within_turn, angle.imag()));
   }
   return largest;
 }

@@ -231,9 +231,10 @@ TEST(PeoplesArmsTest, ASmallSetIsFollowed) {
 TEST(PeoplesArmsTest, APairThatIsNearlyRealIsAClosureWithinThePosesAccuracy) {
   const auto [arm, own, result] = answer_of("ur30");
   EXPECT_TRUE(result.complete);
-  const auto between = std::find_if(
-      result.closures.begin(), result.closures.end(),
-      [&](const ArmClosure& closure) { return distance(arm, closure.values, own) > 1; });
+  const auto between = std::find_if(result.closures.begin(), result.closures.end(),
+                                    [&arm = arm, &own = own](const ArmClosure& closure) {
+                                      return distance(arm, closure.values, own) > 1;
+                                    });
   ASSERT_NE(between, result.closures.end());
   EXPECT_EQ(between->multiplicity, 2U);
   EXPECT_GT(between->residual, 1e-12);
