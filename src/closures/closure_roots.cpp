@@ -183,12 +183,13 @@ void drop_proofs_within_rounding(const Formulation& formulation, RootProver& pro
   // square root at most.
   constexpr double kFarApart = 1e-4;
   if (!prover.is_on() || !formulation.has_rounded_frames) return;
-  const auto apart = [](const PartialRoot& a, const PartialRoot& b) {
+  const auto distance_within = [](const PartialRoot& a, const PartialRoot& b,
+                                  double most) -> std::optional<double> {
     double largest = 0;
-    for (std::size_t v = 0; v < a.value.size(); ++v) {
+    for (std::size_t v = 0; v < a.value.size() && largest <= most; ++v) {
       largest = std::max(largest, std::abs(a.value[v]->rounded - b.value[v]->rounded));
     }
-    return largest;
+    return largest <= most ? std::optional(largest) : std::nullopt;
   };
   const auto size_of = [](const PartialRoot& root) {
     double size = 1;
@@ -197,12 +198,14 @@ void drop_proofs_within_rounding(const Formulation& formulation, RootProver& pro
   };
   std::vector<bool> is_unsure(roots.size());
   for (std::size_t i = 0; i < roots.size(); ++i) {
+    if (!roots[i].proof) continue;
+    const double near = kFarApart * size_of(roots[i]);
     for (std::size_t j = i + 1; j < roots.size(); ++j) {
-      const double distance = apart(roots[i], roots[j]);
-      if (!roots[i].proof || !roots[j].proof) continue;
-      if (distance > kFarApart * size_of(roots[i])) continue;
+      if (!roots[j].proof) continue;
+      const std::optional<double> distance = distance_within(roots[i], roots[j], near);
+      if (!distance) continue;
       const std::optional<double> moved = prover.moved_by_rounding(roots[i].proof);
-      if (!moved || 2 * *moved >= distance) is_unsure[i] = is_unsure[j] = true;
+      if (!moved || 2 * *moved >= *distance) is_unsure[i] = is_unsure[j] = true;
     }
   }
   for (std::size_t k = 0; k < roots.size(); ++k) {
