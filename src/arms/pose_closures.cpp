@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+// Follow, read, search, explain.
+#include "pose_closures.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "posture_list.h"
+#include "random_values.h"
+#include "read_ends.h"
+#include "self_motion.h"
+
+namespace moivre {
+namespace {
+
+/// Searches from random postures: where sets are, and where there is no posture: the nearest one is
+/// told.
+constexpr std::uint64_t kForSets = 40, kForNearest = 4;
+
+/// All closures of the regular pose on their way to this one; ways differ until nothing speaks
+/// against what they lead to.
+std::vector<ApproachEnd> approach_all(const Beginning& beginning, const Eigen::Isometry3d& pose,
+                                      std::uint64_t seed, bool& is_consistent) {
+  constexpr std::uint64_t kWays = 4, kBehindOthers = 5000;
+  constexpr double kContraction = 0.1, kMoreCareful = 0.25;
+  std::vector<ApproachEnd> ends;
+  double contraction = kContraction;
+  is_consistent = false;
+  for (std::uint64_t k = 0; k < kWays && !is_consistent; ++k) {
+    const double unit = random_unit(seed, RandomStream::arm, kBehindOthers + k);
+    const TipWay way = tip_way(beginning.regular.pose, pose, (k % 2 == 0 ? 1 : -1) * (0.5 + unit));
+    ends.clear();
+    for (const RegularRoot& root : beginning.regular.roots) {
+      ends.push_back(approach(beginning.six.arm, way, root.values, contraction));
+    }
+    // A conjugate may be one of those that are not followed.
+    is_consistent = are_different(beginning.six.arm, ends) &&
+                    (beginning.regular.far > 0 || have_conjugates(beginning.six.arm, ends));
+    contraction *= kMoreCareful;
+  }
+  return ends;
+}
+
+/// Searches from random postures: for sets, of which paths show few postures, and as a witness that
+/// nothing is missing.
+void search(PostureList& list, ArmResult& result, std::uint64_t count) {
+  constexpr std::uint64_t kBehindOthers = 100;
+  constexpr double kRegular = 1e-5;
+  for (std::uint64_t k = 0; k < count; ++k) {
+    const PostureEntry entry =
+        enter(list, random_joint_values(list.arm, list.seed, kBehindOthers + k), true);
+    if (entry.kind != PostureEntry::Kind::closure || !entry.is_new) continue;
+    // Where closures meet paths may be read as one; a closure that stands clearly alone has a path
+    // of its own.
+    const ArmClosure& closure = list.closures[entry.index];
+    if (closure.smallest_singular_value > kRegular && !closure.within_digits) {
+      result.complete = false;
+      result.message = "a search from a random posture found a closure that no path led to";
+    }
+  }
+}
+
+std::string number_text(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", x);
+  return text;
+}
+
+/// Not only within the digits.
+bool can_move(const PostureList& list) {
+  return std::any_of(list.moves.begin(), list.moves.end(),
+                     [](const SelfMotion& set) { return !set.within_digits; });
+}
+
+std::string message_of(const Arm& arm, const PostureList& list, const ArmResult& result) {
+  if (!result.complete) {
+    return result.message.empty() ? "some paths are undecided: closures may be missing"
+                                  : result.message;
+  }
+  if (can_move(list)) return "the joints can move while the tip stands";
+  if (!list.moves.empty()) {
+    return "within the digits of the file's numbers the joints can move while the tip stands";
+  }
+  if (!list.closures.empty()) return "every path was decided";
+  std::string text = "the arm cannot hold this pose";
+  if (arm.joints.size() < 6) text += "; with fewer than six free joints only some can be held";
+  if (list.nearest)
+    text += "; the nearest posture misses it by " + number_text(list.nearest->misfit);
+  return text;
+}
+
+/// Closures far from real may be real next to singular postures.
+bool may_have_become_real(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
+                          const PostureList& list) {
+  constexpr double kNearlySingular = 0.02;
+  if (beginning.regular.far == 0) return false;
+  if (list.closures.empty() || !have_conjugates(beginning.six.arm, ends)) return true;
+  return std::any_of(list.closures.begin(), list.closures.end(), [](const ArmClosure& closure) {
+    return closure.smallest_singular_value < kNearlySingular;
+  });
+}
+
+/// What is gathered while one pose is solved.
+struct PoseSearch {
+  const PreparedArm& prepared;
+  PostureList list;
+  ArmResult result;
+  std::vector<PathsSeen> seen;  ///< by beginning
+  bool are_all_simple = false;  ///< the formula's closures are all there are
+};
+
+PoseSearch begin_search(const PreparedArm& prepared, const TypedPose& at, const Tracker& tracker) {
+  const Arm& arm = prepared.arm;
+  ArmResult result;
+  result.message.clear();
+  result.pose = at.pose;
+  result.complete = prepared.is_complete;
+  result.accuracy = std::max(kReach, at.accuracy * std::max(1.0, 1 / arm.length));
+  take_account(prepared, tracker, result);
+  PostureList list{arm, at.pose, result.accuracy, prepared.seed, {}, {}, {}, {}};
+  return {prepared, std::move(list), std::move(result),
+          std::vector<PathsSeen>(prepared.beginnings.size())};
+}
+
+/// The paths of one beginning, or what is known of their ends.
+void enter_ends(PoseSearch& pose, std::size_t k, const Known& known, const Tracker& tracker,
+                const std::atomic<bool>& stop) {
+  const Beginning& beginning = pose.prepared.beginnings[k];
+  PostureList& list = pose.list;
+  ArmResult& result = pose.result;
+  bool is_consistent = known.is_any();
+  const auto ends = known.by_formula ? ends_of(*known.by_formula)
+                    : is_consistent  ? known.by_family
+                                     : approach_all(beginning, list.pose, list.seed, is_consistent);
+  const bool are_read = read_ends(beginning, ends, list, result, pose.seen[k]);
+  result.complete = result.complete && is_consistent && are_read;
+  if (may_have_become_real(beginning, ends, list)) {
+    const StartsAtPose starts =
+        starts_at(beginning.six.arm, list.pose, tracker, pose.prepared.options, stop);
+    for (const Eigen::VectorXd& start : starts.values) {
+      enter(list, own_values(beginning.six, start), false);
+    }
+    result.complete = result.complete && starts.complete;
+  }
+  result.counts.complex += beginning.six.own.size() == kSixJoints ? beginning.regular.far : 0;
+}
+
+bool has_none(const PostureList& list) { return list.closures.empty() && list.moves.empty(); }
+
+/// How many searches from random postures this pose needs.
+std::uint64_t searches_for(const PoseSearch& pose, std::uint64_t as_witness) {
+  const bool are_singular =
+      std::any_of(pose.seen.begin(), pose.seen.end(),
+                  [](const PathsSeen& seen) { return !seen.singular.empty(); });
+  // Where all closures are simple, sets are those that digits leave open, through one of them.
+  const bool may_be_sets = pose.prepared.is_always_moving || are_singular ||
+                           (pose.are_all_simple ? can_move(pose.list) : !pose.list.moves.empty());
+  if (may_be_sets) return kForSets;
+  return has_none(pose.list) ? kForNearest : as_witness;
+}
+
+/// What singular ends lead to, and places that hold the pose within its accuracy.
+void explain(PoseSearch& pose) {
+  PostureList& list = pose.list;
+  ArmResult& result = pose.result;
+  for (PathsSeen& seen : pose.seen) {
+    for (const SingularEnd& end : seen.singular) {
+      if (!is_explained(end, list, seen, result)) result.complete = false;
+    }
+  }
+  for (const PathsSeen& seen : pose.seen) {
+    for (const Eigen::VectorXd& place : seen.between_pairs) {
+      if (!is_listed(list, place)) enter_meeting(list, place);
+    }
+  }
+  for (const Eigen::VectorXd& place : list.places) {
+    if (!is_listed(list, place)) result.complete = false;
+  }
+  // A posture within the digits would be told: there may be one where Newton's method did not come
+  // to an end.
+  const bool may_be_held =
+      list.nearest && list.nearest->misfit <= list.accuracy + list.arm.rounding;
+  if (has_none(list) && may_be_held) result.complete = false;
+}
+
+ArmResult finished(PoseSearch&& pose) {
+  PostureList& list = pose.list;
+  ArmResult& result = pose.result;
+  name_closures(list.closures);
+  result.counts.real = list.closures.size();
+  result.counts.complex = std::max(result.counts.complex, result.counts.real);
+  for (const ArmClosure& closure : list.closures) {
+    if (!closure.beyond.empty()) ++result.counts.beyond_limits;
+  }
+  result.message = message_of(list.arm, list, result);
+  if (has_none(list)) result.nearest = std::move(list.nearest);
+  result.closures = std::move(list.closures);
+  result.moves = std::move(list.moves);
+  return std::move(result);
+}
+
+}  // namespace
+
+ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at, const Known& known,
+                      std::uint64_t as_witness, const Tracker& tracker,
+                      const std::atomic<bool>& stop) {
+  PoseSearch pose = begin_search(prepared, at, tracker);
+  for (std::size_t k = 0; k < prepared.beginnings.size(); ++k) {
+    pose.are_all_simple = known.by_formula && read_found(prepared.beginnings[k], *known.by_formula,
+                                                         pose.list, pose.result);
+    if (!pose.are_all_simple) enter_ends(pose, k, known, tracker, stop);
+  }
+  search(pose.list, pose.result, searches_for(pose, as_witness));
+  explain(pose);
+  return finished(std::move(pose));
+}
+
+}  // namespace moivre

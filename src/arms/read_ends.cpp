@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+// From regular ends to closures, from singular ones to what explains them.
+#include "read_ends.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "random_values.h"
+#include "self_motion.h"
+#include "set_place.h"
+
+namespace moivre {
+namespace {
+
+double imaginary_size(const Arm& arm, const JointVector<Complex>& values) {
+  double largest = 0;
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    const bool is_slide = arm.joints[static_cast<std::size_t>(k)].is_slide;
+    largest = std::max(largest, std::abs(values[k].imag()) / (is_slide ? arm.length : 1));
+  }
+  return largest;
+}
+
+/// How far the turns that were added are from 0, where they stand at a closure of the arm.
+double added_size(const Beginning& beginning, const ApproachEnd& end) {
+  double largest = 0;
+  for (std::size_t k = beginning.six.own.size(); k < beginning.six.arm.joints.size(); ++k) {
+    const Complex angle = end.values[static_cast<Eigen::Index>(k)];
+    const double within_turn = std::remainder(angle.real(), 2 * std::numbers::pi);
+    largest = std::max(largest, std::hypot(within_turn, angle.imag()));
+  }
+  return largest;
+}
+
+/// Paths stop before they are there, where three and more meet.
+constexpr double kNear = 0.03;
+
+/// The nearest closure that the path may have come to. One path alone comes to a simple closure,
+/// however near to singular it is; with joints that were added to an arm's own several may.
+std::optional<std::size_t> closure_of(const SingularEnd& end, const PostureList& list,
+                                      const PathsSeen& seen) {
+  constexpr double kSingular = 1e-3;
+  std::optional<std::size_t> nearest;
+  double least = kNear;
+  for (std::size_t k = 0; k < list.closures.size(); ++k) {
+    const ArmClosure& closure = list.closures[k];
+    if (closure.smallest_singular_value > kSingular) continue;
+    const double away = distance(list.arm, closure.values, end.values);
+    const bool has_room =
+        list.arm.joints.size() < kSixJoints || !is_simple(closure) || !seen.paths_to.contains(k);
+    if (!has_room || away > least) continue;
+    least = away;
+    nearest = k;
+  }
+  return nearest;
+}
+
+bool is_at_set(const SingularEnd& end, const PostureList& list, bool within_digits) {
+  return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
+    return set.within_digits == within_digits && is_on(list.arm, set, end.values, kNear);
+  });
+}
+
+/// Whether the end is at a set or a closure that is listed. On a set that is there within the
+/// digits only, the arm as typed has closures.
+bool is_at_listed(const SingularEnd& end, PostureList& list, PathsSeen& seen, ArmResult& result) {
+  if (is_at_set(end, list, false)) return true;
+  const auto at = closure_of(end, list, seen);
+  if (!at) return is_at_set(end, list, true);
+  ArmClosure& closure = list.closures[*at];
+  closure.multiplicity = std::max(closure.multiplicity, ++seen.paths_to[*at]);
+  closure.singular = !is_simple(closure);
+  ++result.counts.complex;
+  return true;
+}
+
+bool hold_between(const PostureList& list, const ArmClosure& closure,
+                  const Eigen::VectorXd& place) {
+  const Eigen::VectorXd way = way_between(list.arm, closure.values, place);
+  const SetPlace from = place_at(list.arm, list.pose, closure.values);
+  return leads_to(list.arm, list.pose, from, way, list.accuracy);
+}
+
+}  // namespace
+
+bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends, PostureList& list,
+               ArmResult& result, PathsSeen& seen) {
+  constexpr double kNearlyReal = 0.1, kFarthest = 0.1, kMargin = 10;
+  const SixJoints& six = beginning.six;
+  const bool has_all_joints = six.own.size() == kSixJoints;
+  const double accuracy = list.accuracy + list.arm.rounding;
+  bool are_read = true;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    const ApproachEnd& end = ends[k];
+    if (end.kind == ApproachKind::infinite || end.kind == ApproachKind::lost) continue;
+    const double imaginary = imaginary_size(six.arm, end.values);
+    const Eigen::VectorXd start = own_values(six, end.values.real());
+    if (end.kind == ApproachKind::singular) {
+      enter(list, start, false);
+      seen.singular.push_back({start, imaginary, added_size(beginning, end), end.to_go});
+      continue;
+    }
+    const bool counts = added_size(beginning, end) <= kMargin * accuracy;
+    const std::size_t places = list.places.size();
+    const PostureEntry entry = imaginary > kNearlyReal ? PostureEntry{} : enter(list, start, false);
+    if (entry.kind == PostureEntry::Kind::closure && entry.moved <= kFarthest) {
+      ArmClosure& closure = list.closures[entry.index];
+      // An end elsewhere may have led here before: that was no path of this closure.
+      const std::uint64_t arrived = counts ? ++seen.paths_to[entry.index] : 0;
+      if (arrived == 1 || entry.is_new) closure.path = beginning.regular.roots[k].path;
+      closure.multiplicity = std::max(closure.multiplicity, arrived);
+      closure.singular = closure.multiplicity > 1;
+      if (counts || entry.is_new) ++result.counts.complex;
+      continue;
+    }
+    if (entry.kind == PostureEntry::Kind::on_set) continue;
+    if (counts) ++result.counts.complex;
+    if (list.places.size() > places) seen.between_pairs.push_back(list.places.back());
+    const bool is_real = imaginary <= 10 * end.accuracy + 1e-10;
+    if (is_real && has_all_joints) are_read = false;
+  }
+  return are_read;
+}
+
+// Beside a pair with imaginary parts y whose Jacobian has a smallest singular value s the pose is
+// missed by y s / 2 at the least; where an added joint stands at x, by s x.
+bool read_found(const Beginning& beginning, const FoundClosures& found, PostureList& list,
+                ArmResult& result) {
+  constexpr double kNearlyReal = 0.1, kClearly = 8, kMargin = 10;
+  const SixJoints& six = beginning.six;
+  const bool has_all_joints = six.own.size() == kSixJoints;
+  const double accuracy = list.accuracy + list.arm.rounding;
+  const double clear = kClearly * accuracy;
+  const auto added_at = [&](const auto& values) {
+    return values.tail(values.size() - std::ssize(six.own)).cwiseAbs().sum();
+  };
+  for (const ConjugatePair& pair : found.pairs) {
+    if (pair.imaginary <= kNearlyReal && pair.imaginary * pair.stiffness <= clear) return false;
+  }
+  std::vector<const Polished*> own;
+  for (const Polished& real : found.real) {
+    const double added = has_all_joints ? 0 : added_at(real.values);
+    if (added <= kMargin * accuracy) {
+      own.push_back(&real);
+    } else if (added * real.smallest_singular_value <= clear) {
+      return false;
+    }
+  }
+  if (own.empty()) return false;  // the nearest posture is told
+  for (const Polished* const real : own) {
+    const PostureEntry entry =
+        has_all_joints ? enter(list, *real) : enter(list, own_values(six, real->values), false);
+    if (entry.kind == PostureEntry::Kind::closure && entry.is_new) {
+      list.closures[entry.index].path = beginning.regular.roots[entry.index].path;
+    }
+    if (entry.kind != PostureEntry::Kind::on_set) ++result.counts.complex;
+  }
+  for (const ConjugatePair& pair : found.pairs) {
+    if (has_all_joints || added_at(pair.values) <= kMargin * accuracy) result.counts.complex += 2;
+  }
+  return true;
+}
+
+bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, ArmResult& result) {
+  constexpr double kNotReal = 1e-2, kFarBefore = 0.1, kClearly = 4;
+  constexpr std::uint64_t kBeside = 16, kBehindOthers = 20'000;
+  const double clear = kClearly * end.to_go;
+  // A path that stopped far before its end tells nothing of it, unless it was farther still from
+  // what is real.
+  const bool stopped_early = end.to_go > kFarBefore;
+  if (!stopped_early && is_at_listed(end, list, seen, result)) return true;
+  if (end.added > std::max(kNear, clear)) return true;
+  if (end.imaginary > std::max(kNotReal, clear)) {
+    ++result.counts.complex;
+    return true;
+  }
+  if (stopped_early) return false;
+  for (std::uint64_t k = 0; k < kBeside; ++k) {
+    const Eigen::VectorXd way = random_joint_values(list.arm, list.seed, kBehindOthers + k);
+    enter(list, end.values + kNear / std::numbers::pi * way, false);
+  }
+  return is_at_listed(end, list, seen, result);
+}
+
+bool is_listed(const PostureList& list, const Eigen::VectorXd& place) {
+  constexpr double kLongestWay = 0.3;
+  return std::any_of(list.moves.begin(), list.moves.end(),
+                     [&](const SelfMotion& set) { return is_on(list.arm, set, place, kNear); }) ||
+         std::any_of(list.closures.begin(), list.closures.end(), [&](const ArmClosure& closure) {
+           const double away = distance(list.arm, closure.values, place);
+           return away <= kNear || (away <= kLongestWay && hold_between(list, closure, place));
+         });
+}
+
+}  // namespace moivre

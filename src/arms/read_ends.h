@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Which postures do the ends of paths tell of?
+//
+//   regular    a closure, or none: complex, or one of the joints that were added is not at 0
+//   singular   closures meet there, or a set is there: explained by what is listed, once all regular
+//              ends and what searches have found are entered
+// Counts of `result` grow with what is read.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "formula_ends.h"
+#include "posture_list.h"
+#include "prepared_arm.h"
+
+namespace moivre {
+
+/// A path that ended where closures meet, or where a set is.
+struct SingularEnd {
+  Eigen::VectorXd values;  ///< of the arm, the real part
+  double imaginary = 0;
+  double added = 0;  ///< of the joints that were added
+  double to_go = 0;  ///< how far it is from what the path leads to
+};
+
+/// Of the paths of one beginning.
+struct PathsSeen {
+  std::map<std::size_t, std::uint64_t> paths_to;  ///< by closure
+  std::vector<SingularEnd> singular;
+  /// Between two closures that are nearly real: the pose is held within its accuracy there.
+  std::vector<Eigen::VectorXd> between_pairs;
+};
+
+/// Enters the closures of regular ends into the list. Singular ends, and places between two
+/// closures that are nearly real, are kept for when all is entered.
+/// False where a regular end is no posture.
+bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends, PostureList& list,
+               ArmResult& result, PathsSeen& seen);
+
+/// Enters what the formula found, where nothing but its real closures may hold the pose; otherwise
+/// nothing, and false.
+bool read_found(const Beginning& beginning, const FoundClosures& found, PostureList& list,
+                ArmResult& result);
+
+/// Whether the end is at a set or a closure that is listed, or at one that is found next to it, or
+/// at a singular one that is not real or not the arm's own.
+bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, ArmResult& result);
+
+/// Whether a place that holds the pose within its accuracy is of a set or a closure that is listed:
+/// near to it, or the pose is held half way, too.
+bool is_listed(const PostureList& list, const Eigen::VectorXd& place);
+
+}  // namespace moivre
