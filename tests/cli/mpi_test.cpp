@@ -32,6 +32,7 @@ Outcome run_ranks(
                            "OMPI_MCA_rmaps_base_oversubscribe"}) {
     ::setenv(name, "1", 1);
   }
+  ::setenv("PRTE_MCA_rmaps_default_mapping_policy", ":oversubscribe", 1);  // OpenMPI 5
   return scene.run_program(
       MOIVRE_MPIRUN, together({"-n", std::to_string(ranks), MOIVRE_MPI_PROGRAM}, call), meanwhile);
 }

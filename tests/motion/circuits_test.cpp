@@ -32,7 +32,7 @@ MotionResult motion_of(const Mechanism& mechanism, int steps = 100) {
   return find_motion(mechanism, *make_cvode_tracker(), options);
 }
 
-const Swing& swing_of(const std::vector<Swing>& swings, const std::string& name) {
+const Swing& swing_of(const std::vector<Swing>& swings, std::string_view name) {
   return *std::find_if(swings.begin(), swings.end(),
                        [&](const Swing& swing) { return swing.name == name; });
 }

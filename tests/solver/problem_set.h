@@ -25,11 +25,11 @@ inline const std::vector<problems::Problem>& problem_index() {
   return index;
 }
 
-inline const problems::Problem& problem(const std::string& name) {
+inline const problems::Problem& problem(std::string_view name) {
   for (const problems::Problem& p : problem_index()) {
     if (p.name == name) return p;
   }
-  throw std::invalid_argument("no problem " + name);
+  throw std::invalid_argument("no problem " + std::string(name));
 }
 
 /// Not every path is decided for every seed: a root of multiplicity 10 at x = 1 is close to a start
