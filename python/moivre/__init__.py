@@ -22,12 +22,13 @@ array([[-1.932, -0.518],
 from ._errors import ParseError
 from ._moivre import __version__
 from ._solve import Result, Root, solve
+from ._judged import Info, Verdict, check, info
 from ._family import Family, Members
 from ._mechanism import (Body, Branch, Closure, ClosureSensitivity, Closures, Event, Guesses, Mechanism, Mobility, Motion, Newton,
                          Sensitivity, Sweep)
 from ._arm import Arm, Postures, SelfMotion
 
-__all__ = ["Arm", "Body", "Branch", "Closure", "ClosureSensitivity", "Closures", "Event", "Family", "Guesses", "Mechanism",
+__all__ = ["Arm", "Body", "Branch", "Closure", "ClosureSensitivity", "Closures", "Event", "Family", "Guesses", "Info", "Mechanism",
            "Members", "Mobility", "Motion", "Newton", "ParseError", "Postures", "Result", "Root", "SelfMotion", "Sensitivity", "Sweep",
-           "solve",
+           "Verdict", "check", "info", "solve",
            "__version__"]

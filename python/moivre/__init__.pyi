@@ -39,6 +39,7 @@ class Root:
     residual: float
     condition: float
     certified: Optional[bool]
+    on_boundary: list[str]
     def __getitem__(self, variable: Any) -> Union[float, complex]: ...
     def keys(self) -> tuple[str, ...]: ...
 
@@ -76,12 +77,36 @@ class Result:
 
 def solve(equations: _Equations, *, variables: Optional[Sequence[Any]] = ..., real: Optional[bool] = ...,
           positive: Optional[bool] = ..., nonzero: Optional[bool] = ...,
-          box: Optional[Mapping[Any, tuple[Optional[float], Optional[float]]]] = ...,
+          box: Optional[Mapping[Any, tuple[Optional[float], Optional[float]]]] = ..., where: Union[None, str, Sequence[Any]] = ...,
           parameters: Optional[Mapping[Any, tuple[_Number, _Number]]] = ..., start_points: Optional[npt.ArrayLike] = ...,
           tracker: Optional[_Tracker] = ..., start: Optional[_Start] = ..., seed: Optional[int] = ...,
           threads: Optional[int] = ..., time_limit: Optional[float] = ..., slice: Optional[bool] = ...,
           precision: Optional[_Precision] = ..., certify: Optional[bool] = ..., every_path: Optional[bool] = ..., digits: Optional[int] = ...,
-          cross_check: Optional[bool] = ..., tracker_options: Optional[Mapping[str, Any]] = ..., progress: _Progress = ...) -> Result: ...
+          cross_check: Optional[bool] = ..., tracker_options: Optional[Mapping[str, Any]] = ..., progress: _Progress = ...,
+          ledger: Optional[_Path] = ...) -> Result: ...
+
+class Info:
+    variables: list[str]
+    equations: int
+    terms: int
+    degrees: list[int]
+    total_degree: Optional[int]
+    paths: dict[str, Optional[int]]
+    conditions: list[str]
+    def to_json(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+    def to_text(self) -> str: ...
+
+class Verdict:
+    holds: bool
+    proofs_hold: bool
+    refuted: list[dict[str, Any]]
+    open: list[dict[str, Any]]
+    def to_json(self, path: Optional[_Path] = ...) -> Optional[str]: ...
+    def to_text(self) -> str: ...
+
+def info(equations: _Equations, *, variables: Optional[Sequence[Any]] = ..., time_limit: Optional[float] = ...) -> Info: ...
+def check(equations: _Equations, result: Union[Result, _Path], *, variables: Optional[Sequence[Any]] = ...,
+          time_limit: Optional[float] = ...) -> Verdict: ...
 
 class Family:
     variables: list[str]
@@ -94,7 +119,7 @@ class Family:
               variables: Optional[Sequence[Any]] = ..., monodromy: bool = ..., nonzero: bool = ..., trace_test: Optional[bool] = ...,
               tracker: Optional[_Tracker] = ..., start: Optional[_Start] = ..., seed: Optional[int] = ...,
               threads: Optional[int] = ..., time_limit: Optional[float] = ..., certify: Optional[bool] = ...,
-              tracker_options: Optional[Mapping[str, Any]] = ..., progress: _Progress = ...) -> Family: ...
+              tracker_options: Optional[Mapping[str, Any]] = ..., progress: _Progress = ..., ledger: Optional[_Path] = ...) -> Family: ...
     @classmethod
     def load(cls, path: _Path) -> Family: ...
     def save(self, path: _Path) -> None: ...

@@ -7,6 +7,7 @@ import os
 import numpy as np
 
 from . import _moivre
+from ._kept import kept
 from ._progress import told
 from ._solve import Result, chosen, write
 from ._systems import TEXT, to_system
@@ -31,7 +32,7 @@ class Family:
     >>> s = f.solve([[-3, 2], [0, -4], [0, 0]])
     >>> s.counts, s.complete
     (array([2, 2, 1]), True)
-    >>> sorted(s.of(0)[:, 0].real.round(12))
+    >>> sorted(s.of(0)[:, 0].real.round(12).tolist())
     [1.0, 2.0]
     """
 
@@ -46,7 +47,7 @@ class Family:
 
     @classmethod
     def learn(cls, equations, parameters, *, variables=None, monodromy=False, nonzero=False, trace_test=None, tracker=None, start=None, seed=None,
-              threads=None, time_limit=None, certify=None, tracker_options=None, progress=None):
+              threads=None, time_limit=None, certify=None, tracker_options=None, progress=None, ledger=None):
         """Solve one random complex member, by a start system or by loops.
 
         Parameters
@@ -65,6 +66,8 @@ class Family:
             With monodromy: make the trace test with more than 2000 roots too; takes minutes to hours.
         time_limit : float, optional
             Seconds, after which the run ends with what is finished; `complete` is False then.
+        ledger : path, optional
+            As for `solve`: keep the run in this file as it goes.
         """
         sizes = {str(p): float(s) for p, s in parameters.items()} if isinstance(parameters, dict) else {
             str(p): 1.0 for p in parameters}
@@ -73,8 +76,11 @@ class Family:
         system, name = to_system(equations, variables, tuple(parameters))
         options = chosen(trace_test=trace_test, tracker=tracker, start=start, seed=seed, threads=threads, time_limit=time_limit, certify=certify,
                          tracker_options=tracker_options)
-        with told(progress) as tell:
-            return cls(_moivre.family_learn(system, list(sizes.items()), name, monodromy, nonzero, options, tell), name)
+        asked = repr((system.content(), sorted(sizes.items()), monodromy, nonzero))
+        with told(progress) as tell, kept(ledger, "family learn", asked, options) as (options, end):
+            family = cls(_moivre.family_learn(system, list(sizes.items()), name, monodromy, nonzero, options, tell), name)
+            end(str(family), family.complete)
+            return family
 
     @classmethod
     def load(cls, path):
@@ -121,7 +127,7 @@ class Family:
         --------
         >>> import moivre
         >>> f = moivre.Family.learn(["x^2 - a"], parameters=["a"])
-        >>> sorted(f.member({"a": "1/4"}).real_points[:, 0])
+        >>> sorted(f.member({"a": "1/4"}).real_points[:, 0].tolist())
         [-0.5, 0.5]
         """
         from ._systems import _exact

@@ -9,8 +9,9 @@ import math
 import numpy as np
 
 from . import _moivre
+from ._kept import kept
 from ._progress import told
-from ._systems import _exact, to_system
+from ._systems import _exact, conditions_of, to_system
 
 
 def chosen(**options):
@@ -50,12 +51,14 @@ class Root:
     residual, condition : float
     certified : bool or None
         A root of the exact system is proved to be there; None where this was not asked for or is not possible.
+    on_boundary : list of str
+        Conditions that its digits do not tell from equalities there.
 
     Examples
     --------
     >>> import moivre
     >>> root = moivre.solve("x^2 - 2; x*y - 1")[0]
-    >>> root.certified, root.multiplicity, round(abs(root["x"]), 6)
+    >>> root.certified, root.multiplicity, round(float(abs(root["x"])), 6)
     (True, 1, 1.414214)
     """
 
@@ -68,6 +71,7 @@ class Root:
     residual: float
     condition: float
     certified: object
+    on_boundary: list
 
     def __getitem__(self, variable):
         try:
@@ -106,7 +110,7 @@ class Result:
     paths : dict
         tracked = finite + at_infinity + failed.
     filtered : int
-        Roots, with multiplicity, that `real=`, `positive=`, `nonzero=` or `box=` leave out.
+        Roots, with multiplicity, that `real=`, `positive=`, `nonzero=`, `box=` or conditions leave out.
     cross_check : dict or None
         What the other tracker says, where that was asked for: witness, common, missed, unwitnessed, disagreements.
     points : ndarray of complex, shape (roots, unknowns)
@@ -147,6 +151,7 @@ class Result:
         self.condition = roots["condition"]
         self.certified = roots["certified"]
         self._digits = roots["digits"]
+        self._on_boundary = roots["on_boundary"]
 
     @property
     def real_points(self):
@@ -161,7 +166,7 @@ class Result:
         k = range(len(self))[index]
         return Root(self.points[k], tuple(self.variables), bool(self.real[k]), bool(self.singular[k]),
                     int(self.multiplicity[k]), float(self.accuracy[k]), float(self.residual[k]), float(self.condition[k]),
-                    self.certified[k])
+                    self.certified[k], self._on_boundary[k])
 
     def __iter__(self):
         return (self[k] for k in range(len(self)))
@@ -290,9 +295,9 @@ def _ways(parameters, start_points):
     return [str(name) for name in parameters], *ends, np.atleast_2d(np.asarray(start_points, dtype=complex))
 
 
-def solve(equations, *, variables=None, real=None, positive=None, nonzero=None, box=None, parameters=None, start_points=None,
+def solve(equations, *, variables=None, real=None, positive=None, nonzero=None, box=None, where=None, parameters=None, start_points=None,
           tracker=None, start=None, seed=None, threads=None, time_limit=None, slice=None, precision=None, certify=None, every_path=None,
-          digits=None, cross_check=None, tracker_options=None, progress=None):
+          digits=None, cross_check=None, tracker_options=None, progress=None, ledger=None):
     """All isolated roots of a polynomial system, complex roots included.
 
     Parameters
@@ -300,7 +305,7 @@ def solve(equations, *, variables=None, real=None, positive=None, nonzero=None, 
     equations : text, path, or list
         A text in PHCpack's or Bertini's form ("x^2 - 4; x*y - 1"), a path to such a file, a list of texts, a list of sympy's
         expressions (each is to be 0, or an Eq), or a list of (coefficients, exponents): numbers, and whole numbers of shape
-        (terms, unknowns). int, Fraction, Decimal and sympy's Rational stay exact; a float is the double that it is.
+        (terms, unknowns). Among texts and expressions may stand conditions, as in `where`. int, Fraction, Decimal and sympy's Rational stay exact; a float is the double that it is.
     variables : list of str or symbols, optional
         The unknowns in their order. Default: a text's in the order of their first appearance, sympy's by name.
     real, positive, nonzero : bool, optional
@@ -308,6 +313,9 @@ def solve(equations, *, variables=None, real=None, positive=None, nonzero=None, 
         for in any case: `filtered` counts those that are not told.
     box : dict, optional
         Tell real roots alone within ranges: `{"x": (0, 1)}`; None leaves a side open.
+    where : str or list of (str or sympy relation), optional
+        Tell real roots alone that meet conditions: "x*y > 2", "0 < x <= 1". Roots that their digits do not tell from the boundary
+        of one meet `>=` and not `>`; `Root.on_boundary` names it.
     start_points : array_like of complex, shape (points, unknowns), optional
         Roots that are known, of the system with `parameters` at their start values: they are followed to the end values. Then
         those roots are found that the given ones lead to; whether these are all only a proved count can tell.
@@ -336,6 +344,9 @@ def solve(equations, *, variables=None, real=None, positive=None, nonzero=None, 
         By the names of docs/trackers.md.
     progress : True, callable or tqdm-shaped bar, optional
         Told (paths done, paths in all).
+    ledger : path, optional
+        Keep the run in this file as it goes: after a kill or a crash the same call goes on, and one that has ended is told again
+        without following a path. `moivre ledger` shows how it stands.
 
     Returns
     -------
@@ -356,27 +367,34 @@ def solve(equations, *, variables=None, real=None, positive=None, nonzero=None, 
     >>> import moivre
     >>> from fractions import Fraction
     >>> r = moivre.solve([([1, Fraction(-1, 4)], [[2], [0]])])
-    >>> sorted(r.real_points[:, 0])
+    >>> sorted(r.real_points[:, 0].tolist())
     [-0.5, 0.5]
     >>> r.certified
     [True, True]
     >>> r = moivre.solve(["x^2 + y^2 - 4", "x*y - 1"], positive=True, box={"x": (1, None)})
     >>> r.real_points.round(3), r.filtered
     (array([[1.932, 0.518]]), 3)
+    >>> r = moivre.solve(["x^2 + y^2 - 4", "x*y - 1", "x > 0"], where="y >= 1")
+    >>> r.real_points.round(3), r.filtered
+    (array([[0.518, 1.932]]), 3)
     >>> r = moivre.solve("x^2 - a", parameters={"a": (1, 4)}, start_points=[[1], [-1]])
-    >>> sorted(r.real_points[:, 0])
+    >>> sorted(r.real_points[:, 0].tolist())
     [-2.0, 2.0]
     """
-    options = chosen(real=real, positive=positive, nonzero=nonzero, box=None if box is None else _box(box), tracker=tracker,
-                     start=start, seed=seed, threads=threads, time_limit=time_limit, slice=slice, precision=precision,
+    options = chosen(real=real, positive=positive, nonzero=nonzero, box=None if box is None else _box(box),
+                     where=None if where is None else conditions_of(where), tracker=tracker, start=start, seed=seed, threads=threads, time_limit=time_limit, slice=slice, precision=precision,
                      certify=certify, every_path=every_path, digits=digits, cross_check=cross_check, tracker_options=tracker_options)
     if parameters is None and start_points is None:
         system, name = to_system(equations, variables)
-        with told(progress) as tell:
-            return Result(_moivre.solve(system, options, tell), name)
+        with told(progress) as tell, kept(ledger, "solve", system.content(), options) as (options, end):
+            result = Result(_moivre.solve(system, options, tell), name)
+            end(result.to_text(), result.complete)
+            return result
     names, begin, end, points = _ways(parameters, start_points)
     if slice or cross_check:
         raise ValueError("slice and cross_check: not with start_points")
+    if ledger is not None:
+        raise ValueError("ledger: not with start_points, whose paths are few")
     system, name = to_system(equations, variables, tuple(parameters))
     with told(progress) as tell:
         return Result(_moivre.led_on(system, names, begin, end, points, options, tell), name)

@@ -83,7 +83,35 @@ def _polynomial_terms(expression, symbols, what):
     return coefficients, [monomial for _, monomial in terms]
 
 
+def _condition_text(relation):
+    """A relation of sympy, x*y > 2, as text: both sides as they are, numbers with all their digits."""
+    import sympy
+    sides = [sympy.sstr(side.xreplace({x: sympy.Rational(x) for x in side.atoms(sympy.Float)})) for side in relation.args]
+    return f"{sides[0]} {relation.rel_op} {sides[1]}"
+
+
+def _is_inequality(value):
+    """Whether it is one of sympy's x > 0, x >= 0, x < 0, x <= 0."""
+    return _is_sympy(value) and getattr(value, "rel_op", None) in ("<", "<=", ">", ">=")
+
+
+def conditions_of(where):
+    """Conditions as texts, from a text, a relation of sympy, or a list of them."""
+    listed = [where] if isinstance(where, str) or _is_sympy(where) else where
+    texts = []
+    for condition in listed if hasattr(listed, "__iter__") else [listed]:
+        if not isinstance(condition, str) and not _is_inequality(condition):
+            raise ValueError(f'where: {condition!r} is no condition; a text, "x*y > 2", or a relation of sympy is wanted')
+        texts.append(condition if isinstance(condition, str) else _condition_text(condition))
+    return texts
+
+
 def _of_sympy(equations, variables, parameters):
+    system = _of_expressions([e for e in equations if not _is_inequality(e)], variables, parameters)
+    return _moivre.with_conditions(system, [_condition_text(e) for e in equations if _is_inequality(e)])
+
+
+def _of_expressions(equations, variables, parameters):
     import sympy
     expressions = []
     is_exact = True
@@ -145,9 +173,10 @@ def _of_arrays(equations, variables):
 
 
 def _is_a_line_each(text):
-    """Whether every line that holds something has one `=`, and none a semicolon: then none is needed."""
+    """Whether every line that holds something has one `=` or is a condition, and none a semicolon: then none is needed."""
     lines = [line for line in (whole.partition("#")[0].strip() for whole in text.splitlines()) if line]
-    return len(lines) > 1 and all(line.count("=") == 1 and ";" not in line for line in lines)
+    is_whole = [(line.count("=") == 1 or "<" in line or ">" in line) and ";" not in line for line in lines]
+    return len(lines) > 1 and all(is_whole)
 
 
 def _of_text(text):

@@ -132,6 +132,7 @@ SolveOptions solve_options(const py::dict& choice, const Trackers& trackers) {
 
 Terms terms_of(const py::dict& choice, const py::object& progress) {
   Terms terms{progress, std::nullopt};
+  if (choice.contains("ledger")) terms.ledger = choice["ledger"].cast<CallLedger*>();
   if (!choice.contains("time_limit")) return terms;
   const auto seconds = option_value<double>("time_limit", choice["time_limit"]);
   if (!(seconds > 0)) throw std::invalid_argument("time_limit: seconds above 0 are wanted");
@@ -140,8 +141,13 @@ Terms terms_of(const py::dict& choice, const py::object& progress) {
 }
 
 SolveOptions overseen_by(Oversight& oversight, SolveOptions options) {
-  options.progress = [&oversight](const Progress& progress) {
+  RunLedger* const book = oversight.ledger() != nullptr ? &oversight.ledger()->book() : nullptr;
+  options.observations = book;
+  options.progress = [&oversight, book](const Progress& progress) {
     oversight.tell(progress.done, progress.total);
+    if (book != nullptr && !progress.search) {
+      book->tell(progress.done, progress.total, progress.finite);
+    }
   };
   return options;
 }

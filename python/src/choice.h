@@ -54,7 +54,7 @@ Trackers make_trackers(const pybind11::dict& choice);
 /// `trackers` must outlive the options.
 SolveOptions solve_options(const pybind11::dict& choice, const Trackers& trackers);
 
-/// choice["time_limit"], beside the function that is told of progress. Throws
+/// choice["time_limit"] and choice["ledger"], a CallLedger, beside the function that is told of progress. Throws
 /// std::invalid_argument.
 Terms terms_of(const pybind11::dict& choice, const pybind11::object& progress);
 

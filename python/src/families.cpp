@@ -55,6 +55,7 @@ Family by_loops(Family family, const Tracker& tracker, const SolveOptions& optio
   loops.seed = options.seed;
   loops.threads = thread_count(options.threads);
   loops.certify = options.certify;
+  loops.observations = options.observations;
   if (is_always_tested) loops.most_tested = loops.most_roots;
   loops.progress = [&](const LoopProgress& progress) { oversight.tell(progress.roots, 0); };
   return learn_by_monodromy(std::move(family), *pair, tracker, loops, oversight.stop());

@@ -2,6 +2,7 @@
 // The compiled half of the Python module: its parts, and how the library's exceptions become
 // Python's.
 #include "bindings.h"
+#include "call_ledger.h"
 #include "moivre/expression/source.h"
 #include "moivre/report/version.h"
 
@@ -41,6 +42,7 @@ PYBIND11_MODULE(_moivre, module) {
   const pybind11::object errors = pybind11::module_::import("moivre._errors");
   parse_error_type = errors.attr("ParseError").cast<pybind11::object>().release();
   pybind11::register_exception_translator(translate);
+  bind_ledgers(module);
   bind_systems(module);
   bind_families(module);
   bind_mechanisms(module);

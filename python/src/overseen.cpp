@@ -66,6 +66,7 @@ std::exception_ptr watch(Oversight& oversight, const Terms& terms) {
   };
   while (!wait()) {
     try {
+      if (terms.ledger != nullptr && terms.ledger->is_broken()) oversight.request_stop();
       if (terms.time_limit && stopwatch.total() >= *terms.time_limit) oversight.request_stop();
       if (is_interrupted()) {
         if (is_second) {

@@ -5,7 +5,8 @@
 // The first Ctrl-C asks the work to stop, and what is finished is the result; a second one is
 // Python's KeyboardInterrupt, raised as soon as the work has stopped. An exception of the progress
 // function likewise ends the work, and is passed on. Both are looked for every kGlance, so that no
-// path waits for Python. A limit of time asks as the first Ctrl-C does.
+// path waits for Python. A limit of time asks as the first Ctrl-C does, and so does a ledger that
+// cannot be written.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -20,6 +21,8 @@
 #include <thread>
 #include <type_traits>
 
+#include "call_ledger.h"
+
 namespace moivre::python {
 
 /// How far the work is: a number of paths, poses, samples, ...
@@ -30,6 +33,10 @@ struct Advance {
 
 class Oversight {
  public:
+  explicit Oversight(CallLedger* ledger) : ledger_(ledger) {}
+
+  /// nullptr: the call is not kept.
+  CallLedger* ledger() const { return ledger_; }
   const std::atomic<bool>& stop() const { return stop_; }
   void request_stop() { stop_ = true; }
 
@@ -42,6 +49,7 @@ class Oversight {
   std::optional<Advance> news();
 
  private:
+  CallLedger* ledger_;
   std::atomic<bool> stop_{false};
   std::mutex mutex_;
   std::condition_variable changed_;
@@ -53,6 +61,7 @@ class Oversight {
 struct Terms {
   pybind11::object progress;         ///< None, or called with (done, total)
   std::optional<double> time_limit;  ///< seconds
+  CallLedger* ledger = nullptr;      ///< not owned
 };
 
 /// Until the work has finished. Returns what Python raised meanwhile.
@@ -63,7 +72,7 @@ template <class Work>
 auto overseen(const Terms& terms, Work work) {
   std::optional<std::invoke_result_t<Work, Oversight&>> result;
   std::exception_ptr fault;
-  Oversight oversight;
+  Oversight oversight(terms.ledger);
   std::thread worker([&] {
     try {
       result.emplace(work(oversight));
@@ -74,6 +83,7 @@ auto overseen(const Terms& terms, Work work) {
   });
   const std::exception_ptr raised = watch(oversight, terms);
   worker.join();
+  if (terms.ledger != nullptr && oversight.stop()) terms.ledger->note_stop();
   if (raised) std::rethrow_exception(raised);
   if (fault) std::rethrow_exception(fault);
   return std::move(*result);

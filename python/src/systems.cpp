@@ -10,6 +10,8 @@
 #include "arrays.h"
 #include "bindings.h"
 #include "choice.h"
+#include "moivre/check/check.h"
+#include "moivre/check_report/check_report.h"
 #include "moivre/family/learn.h"
 #include "moivre/family/member.h"
 #include "moivre/family/parameter_homotopy.h"
@@ -17,6 +19,7 @@
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/polynomial/write.h"
+#include "moivre/report/info.h"
 #include "moivre/report/solve_report.h"
 #include "moivre/solver/cross_check.h"
 #include "moivre/solver/digits.h"
@@ -94,6 +97,17 @@ System system_of_terms(std::vector<std::string> variables, const py::sequence& e
   return system;
 }
 
+/// Its unknowns numbered anew.
+Polynomial renumbered(Polynomial p, const std::vector<std::uint32_t>& place) {
+  TermMap terms;
+  for (Term& term : p.terms) {
+    for (Power& power : term.monomial) power.variable = place[power.variable];
+    std::sort(term.monomial.begin(), term.monomial.end());
+    terms.emplace(std::move(term.monomial), std::move(term.coefficient));
+  }
+  return to_polynomial(std::move(terms));
+}
+
 /// The same system with its unknowns in another order.
 System in_order(const System& system, const std::vector<std::string>& names) {
   const std::size_t n = system.variables.size();
@@ -116,14 +130,10 @@ System in_order(const System& system, const std::vector<std::string>& names) {
   }
   System result = system;
   result.variables = names;
-  for (Polynomial& p : result.polynomials) {
-    TermMap terms;
-    for (Term& term : p.terms) {
-      for (Power& power : term.monomial) power.variable = place[power.variable];
-      std::sort(term.monomial.begin(), term.monomial.end());
-      terms.emplace(std::move(term.monomial), std::move(term.coefficient));
-    }
-    p = to_polynomial(std::move(terms));
+  for (Polynomial& p : result.polynomials) p = renumbered(std::move(p), place);
+  for (Polynomial& p : result.denominators) p = renumbered(std::move(p), place);
+  for (Condition& condition : result.conditions) {
+    condition.p = renumbered(std::move(condition.p), place);
   }
   for (VariableGroup& group : result.groups) {
     for (std::uint32_t& variable : group.variables) variable = place[variable];
@@ -132,16 +142,60 @@ System in_order(const System& system, const std::vector<std::string>& names) {
   return result;
 }
 
+/// All that its roots depend on, for comparison.
+std::string content_of(const System& f) {
+  std::string text;
+  const auto add = [&text](const auto& number) { text += number.str() + ' '; };
+  for (const std::string& name : f.variables) text += name + '\n';
+  for (const auto* list : {&f.polynomials, &f.denominators}) {
+    for (const Polynomial& p : *list) {
+      for (const Term& term : p.terms) {
+        for (const Rational& part : {term.coefficient.re, term.coefficient.im}) {
+          add(numerator(part));
+          add(denominator(part));
+        }
+        for (const Power& power : term.monomial) {
+          text += std::to_string(power.variable) + '^' + std::to_string(power.exponent) + ' ';
+        }
+        text += '\n';
+      }
+      text += ";\n";
+    }
+    text += ".\n";
+  }
+  for (const VariableGroup& group : f.groups) {
+    for (const std::uint32_t variable : group.variables) text += std::to_string(variable) + ' ';
+    text += group.is_homogeneous ? "homogeneous\n" : "\n";
+  }
+  return text;
+}
+
 bool is_asked(const py::dict& choice, const char* name) {
   return choice.contains(name) && option_value<bool>(name, choice[name]);
 }
 
-/// real, positive, nonzero, and box: (name, from, to) each. Throws std::invalid_argument.
+/// And conditions typed beside its equations.
+System with_conditions(System system, const std::vector<std::string>& texts) {
+  for (const std::string& text : texts) {
+    for (Condition& condition : read_conditions({"where", text}, system.variables)) {
+      system.conditions.push_back(std::move(condition));
+    }
+  }
+  return system;
+}
+
+/// real, positive, nonzero, the system's conditions, where: texts, and box: (name, from, to) each. Throws
+/// std::invalid_argument.
 RootFilter filter_of(const py::dict& choice, const System& system) {
   RootFilter filter;
   filter.real = is_asked(choice, "real");
   filter.positive = is_asked(choice, "positive");
   filter.nonzero = is_asked(choice, "nonzero");
+  filter.conditions = system.conditions;
+  if (choice.contains("where")) {
+    const auto typed = choice["where"].cast<std::vector<std::string>>();
+    filter.conditions = with_conditions(system, typed).conditions;
+  }
   if (!choice.contains("box")) return filter;
   for (const py::handle& each : choice["box"]) {
     const auto [name, from, to] = each.cast<std::tuple<std::string, double, double>>();
@@ -271,14 +325,43 @@ py::dict root_arrays(const Solved& run) {
   arrays["accuracy"] = column<double>(roots, [](const Solution& s) { return s.accuracy; });
   arrays["residual"] = column<double>(roots, [](const Solution& s) { return s.residual; });
   arrays["condition"] = column<double>(roots, [](const Solution& s) { return s.condition; });
-  py::list certified, digits;
+  py::list certified, digits, on_boundary;
   for (const Solution& s : roots) {
     certified.append(optional_bool(s.certified));
     digits.append(digits_of(s));
+    on_boundary.append(py::cast(s.on_boundary));
   }
+  arrays["on_boundary"] = on_boundary;
   arrays["certified"] = certified;
   arrays["digits"] = digits;
   return arrays;
+}
+
+/// What is known of a system, asked for with the limits of a solve: JSON and text.
+std::pair<std::string, std::string> inspected(const System& system, const std::string& name,
+                                              const py::dict& choice) {
+  return overseen(terms_of(choice, py::none()), [&](Oversight& oversight) {
+    InspectOptions options;
+    options.stop = &oversight.stop();
+    const SystemInfo info = inspect(system, options);
+    return std::pair{info_json(info, name), info_text(info, name)};
+  });
+}
+
+/// A result of this system judged: JSON, text, whether no claim is refuted, and whether what is
+/// said to be proved is.
+std::tuple<std::string, std::string, bool, bool> judged(const System& system,
+                                                        const std::string& name,
+                                                        const std::string& result_name,
+                                                        const std::string& result,
+                                                        const py::dict& choice) {
+  const Claims claims = read_claims({result_name, result}, system.variables);
+  return overseen(terms_of(choice, py::none()), [&](Oversight& oversight) {
+    const Judgement judgement = check(system, claims, oversight.stop());
+    const JudgedFiles files{name, result_name};
+    return std::tuple{check_json(judgement, files), check_text(judgement, files), judgement.holds(),
+                      judgement.proofs_hold()};
+  });
 }
 
 py::array set_points(const Solved& run) {
@@ -307,6 +390,7 @@ void bind_systems(py::module_& module) {
       .def_readonly("variables", &System::variables)
       .def_property_readonly("equations", [](const System& f) { return f.polynomials.size(); })
       .def("in_order", &in_order)
+      .def("content", &content_of)
       .def("text", [](const System& f) { return to_text(f, PolynomialFormat::phcpack); });
   module.def("system_of_text", [](const std::string& name, const std::string& text) {
     return read_system({name, text});
@@ -314,6 +398,7 @@ void bind_systems(py::module_& module) {
   module.def("system_of_file",
              [](const std::string& path) { return read_system(read_source(path)); });
   module.def("system_of_terms", &system_of_terms);
+  module.def("with_conditions", &with_conditions);
 
   py::class_<Solved>(module, "Solved")
       .def_property_readonly("complete", [](const Solved& run) { return run.result.complete; })
@@ -338,6 +423,8 @@ void bind_systems(py::module_& module) {
       });
   module.def("solve", &solved);
   module.def("led_on", &led_on);
+  module.def("inspect", &inspected);
+  module.def("judge", &judged);
 }
 
 }  // namespace moivre::python

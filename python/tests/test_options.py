@@ -39,6 +39,8 @@ def file(tmp_path):
     (["--nonzero"], {"nonzero": True}),
     (["--box", "x=1:"], {"box": {"x": (1, None)}}),
     (["--box", "x=-2:0,y=:0"], {"box": {"x": np.array([-2.0, 0.0]), "y": [None, 0]}}),
+    (["--where", "x > y"], {"where": "x > y"}),
+    (["--where", "x*y <= 1", "--where", "0 < x < 1"], {"where": ["x*y <= 1", "0 < x < 1"]}),
     (["--cross-check"], {"cross_check": True}),
     (["--positive", "--digits", "20"], {"positive": True, "digits": 20}),
 ])
@@ -49,6 +51,44 @@ def test_roots_are_chosen_as_on_the_command_line(file, command, words, options):
 def test_what_a_filter_leaves_out_is_counted():
     r = moivre.solve(SYSTEM, positive=True)
     assert len(r) == 2 and r.filtered == 2 and r.completeness == "proved" and (r.real_points > 0).all()
+
+
+def test_conditions_stand_among_the_equations_and_in_a_file(file, command):
+    with open(file, "a", encoding="utf-8") as more:
+        more.write("x > 0;\n0 < y <= 1;\n")
+    ours = moivre.solve(file)
+    same_json(ours.to_json(), command("solve", file))
+    assert len(ours) == 1 and ours.filtered == 3
+    for equations in ([*SYSTEM, "x > 0", "0 < y <= 1"], "x^2 + y^2 = 4\nx*y = 1\nx > 0\n0 < y <= 1",
+                      "; ".join([*SYSTEM, "x > 0", "0 < y <= 1"])):
+        np.testing.assert_array_equal(moivre.solve(equations).points, ours.points)
+    assert len(moivre.solve([*SYSTEM, "x > 0", "2*y < x"], variables=["y", "x"])) == 1
+
+
+def test_a_root_on_the_boundary_of_a_condition_says_so():
+    r = moivre.solve(SYSTEM, where="x*y >= 1")
+    assert [root.on_boundary for root in r] == [["x*y >= 1"]] * 4
+    assert "on the boundary of x*y >= 1" in r.to_text()
+    assert len(moivre.solve(SYSTEM, where="x*y > 1")) == 0
+
+
+@pytest.mark.parametrize("where, words", [("z > 0", "`z` occurs in this condition"), ("x = 1", "expected a condition"),
+                                          (3, "where: 3 is no condition"), ([None], "where: None is no condition")])
+def test_what_is_no_condition_is_refused(where, words):
+    with pytest.raises(ValueError, match=words):
+        moivre.solve(SYSTEM, where=where)
+
+
+def test_a_family_has_no_conditions_and_its_member_has():
+    with pytest.raises(ValueError, match="a family has no conditions, such as 'x > 0'"):
+        moivre.Family.learn(["x^2 - a", "x > 0"], ["a"])
+    r = moivre.solve("x^2 - a", parameters={"a": (1, 4)}, start_points=[[1], [-1]], where="x > 0")
+    assert len(r) == 1 and r.filtered == 1
+
+
+def test_unknowns_in_another_order_keep_their_denominators():
+    r = moivre.solve("(x^2 - 1)/(x - 1) - y; x*y - 6", variables=["y", "x"])
+    np.testing.assert_allclose(sorted(r.real_points[:, 1]), [-3, 2])
 
 
 def test_a_box_takes_symbols():

@@ -119,6 +119,8 @@ def results(program, folder):
         if json.loads(text)["command"] == "solve":
             (folder / "solved.json").write_text(text, encoding="utf-8")
             texts.append(run(["check", json.loads(text)["file"], "solved.json"]))
+    (folder / "wanted.phc").write_text("x^2 + y^2 = 5\nx*y = 2\nx > 0\nx*y <= 2\n", encoding="utf-8")
+    texts += [run(["info", "wanted.phc"]), run(["solve", "wanted.phc", "--where", "x + y >= 3"])]
     (folder / "conics.phc").write_text("2 5\na*x^2 + b*x*y + y^2 - c;\nx^2 + y^2 - x - 1;\n", encoding="utf-8")
     (folder / "members.csv").write_text("a,b,c\n2,0.5,1.5\n1,0.5*i,2\n", encoding="utf-8")
     texts.append(run(["family", "learn", "conics.phc", "--parameters", "a,b,c", "-o", "conics.family"]))

@@ -108,3 +108,9 @@ def test_a_division_by_an_unknown_is_refused_with_a_way():
 def test_equations_without_an_unknown_are_refused():
     with pytest.raises(ValueError, match="no unknown"):
         moivre.solve([sp.Integer(1)])
+
+
+def test_inequalities_are_conditions():
+    x, y = sp.symbols("x y")
+    r = moivre.solve([x**2 + y**2 - 4, x * y - 1, x > 0.25], where=[sp.Le(y, x), y < sp.Rational(3, 2)])
+    assert len(r) == 1 and r.filtered == 3 and r.real_points[0, 0] > r.real_points[0, 1]

@@ -10,6 +10,7 @@
 #include "moivre/closure_report/kinematics_report.h"
 #include "moivre/mechanism/read.h"
 #include "moivre/polynomial/read.h"
+#include "moivre/solver/filter.h"
 #include "output.h"
 #include "progress_line.h"
 #include "tracker_choice.h"
@@ -55,7 +56,8 @@ Found find(const GuessesCommand& command, const Tracker& tracker, const std::ato
     found.completeness = {result.complete, result.message};
   } else {
     const System f = read_system(read_source(command.file));
-    const SolveResult result = solve(f, tracker, options.solve, stop);
+    SolveResult result = solve(f, tracker, options.solve, stop);
+    keep_wanted({.conditions = f.conditions}, result);
     found.mechanism = typed_mechanism(f);
     found.guesses = initial_guesses(result);
     found.completeness = {result.complete, result.message};

@@ -28,8 +28,8 @@ const std::set<std::string> kOfTheProcess{
     "--svg",  "--html", "--paths",  "--phc",     "--family", "--output",     "-o"};
 // Say what is told of the roots, and not what is followed.
 const std::set<std::string> kOfTheAnswer{
-    "FILE",       "--all",     "--digits", "--cross-check", "--no-certify",  "--real",
-    "--positive", "--nonzero", "--box",    "--three-views", "--sensitivity", "--no-borders"};
+    "FILE",      "--all", "--digits", "--cross-check", "--no-certify",  "--real",      "--positive",
+    "--nonzero", "--box", "--where",  "--three-views", "--sensitivity", "--no-borders"};
 
 constexpr const char* kText = "text";
 constexpr const char* kUnfinished = "unfinished";

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "moivre/numeric/invalid_input.h"
+#include "moivre/polynomial/read.h"
 
 namespace moivre {
 namespace {
@@ -44,6 +45,13 @@ void add_filter_options(CLI::App& app, FilterChoice& choice) {
          "ranges are separated by commas")
       ->type_name("NAME=FROM:TO")
       ->delimiter(',');
+  app.add_option(
+         "--where", choice.where,
+         "tell real roots alone that meet a condition, such as \"x*y > 2\" or \"0 < x <= 1\"; "
+         "may stand several times, and conditions may stand in the file")
+      ->type_name("CONDITION")
+      ->expected(1)
+      ->take_all();
 }
 
 RootFilter filter_of(const FilterChoice& choice) {
@@ -58,6 +66,16 @@ RootFilter filter_of(const FilterChoice& choice) {
   }
   require_unbroken(broken);
   return filter;
+}
+
+std::vector<Condition> conditions_of(const FilterChoice& choice, const System& f) {
+  std::vector<Condition> conditions = f.conditions;
+  for (const std::string& text : choice.where) {
+    for (Condition& typed : read_conditions({"--where", text}, f.variables)) {
+      conditions.push_back(std::move(typed));
+    }
+  }
+  return conditions;
 }
 
 }  // namespace moivre

@@ -131,8 +131,9 @@ int run(const SolveCommand& command) {
                [&] {
                  if (command.cross_check) witness = make_witness(command.tracker);
                }});
-  const RootFilter filter = filter_of(command.filter);
+  RootFilter filter = filter_of(command.filter);
   const Problem problem = read_problem(command.file);
+  filter.conditions = conditions_of(command.filter, problem.system);
   require_digits_possible(command, problem.system);
   require_unbroken(broken_rules(filter, problem.system.variables));
   Output json(command.json);
@@ -204,6 +205,7 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   add_examples(
       app, {"moivre solve katsura.phc", "moivre solve katsura.phc --all --seed 7",
             "moivre solve cassou.phc --start polyhedral", "moivre solve katsura.phc --digits 50",
+            "moivre solve curves.txt --where 'x*y > 2' --where '0 < x <= 5'",
             "moivre solve katsura.phc --json - | jq .paths",
             "moivre solve katsura.phc --quiet --csv roots.csv --phc roots.phc",
             "moivre solve cyclic.phc --paths paths.csv",

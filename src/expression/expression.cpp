@@ -331,15 +331,17 @@ struct Lookalike {
   std::string_view printed;
   std::string_view typed;
 };
-constexpr std::array<Lookalike, 9> kLookalikes = {{{"\u2212", "-"},
-                                                   {"\u2013", "-"},
-                                                   {"\u00B7", "*"},
-                                                   {"\u22C5", "*"},
-                                                   {"\u00D7", "*"},
-                                                   {"\u00F7", "/"},
-                                                   {"\u00B2", "^2"},
-                                                   {"\u00B3", "^3"},
-                                                   {"\u00A0", " "}}};
+constexpr std::array<Lookalike, 11> kLookalikes = {{{"\u2212", "-"},
+                                                    {"\u2013", "-"},
+                                                    {"\u00B7", "*"},
+                                                    {"\u22C5", "*"},
+                                                    {"\u00D7", "*"},
+                                                    {"\u00F7", "/"},
+                                                    {"\u00B2", "^2"},
+                                                    {"\u00B3", "^3"},
+                                                    {"\u2264", "<="},
+                                                    {"\u2265", ">="},
+                                                    {"\u00A0", " "}}};
 
 /// The whole character that begins `text`; of one that is only printed, also what is typed for it.
 std::string quoted_character(std::string_view text) {

@@ -142,6 +142,10 @@ Family unlearned_family(const System& system, const std::vector<NamedParameter>&
   if (has_homogeneous_groups(system)) {
     throw InvalidInput("a family has no homogeneous groups of unknowns");
   }
+  if (!system.conditions.empty()) {
+    throw InvalidInput("a family has no conditions, such as '" + system.conditions.front().text +
+                       "': which roots are wanted is asked of a member");
+  }
   require_whole(system, parameters);
   const std::vector<std::uint32_t> place = places(system, parameters);
   Family family;

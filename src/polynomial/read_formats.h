@@ -4,9 +4,11 @@
 
 #include <vector>
 
+#include "expand.h"
 #include "moivre/expression/source.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/polynomial/system.h"
+#include "statements.h"
 
 namespace moivre {
 
@@ -22,6 +24,17 @@ ParametricSystem read_julia(const Source& source, std::vector<Diagnostic>& fault
 /// declarations?
 bool looks_like_msolve(std::string_view text);
 bool looks_like_julia(std::string_view text);
+
+/// The imaginary unit and pi, by the names that a PHCpack text may give them.
+Environment meanings_of_constants();
+
+/// Has the text one of the signs <, <=, >, >=?
+bool is_condition(std::string_view text);
+/// Does each side of its signs parse?
+bool parses_as_condition(const Statement& statement);
+/// x > 0 is one condition, 0 < x <= 1 two. Unknowns are those in `names`; faults are appended.
+void read_condition(const Statement& statement, const Environment& names, System& system,
+                    std::vector<Diagnostic>& faults);
 
 /// Parameters stay names, and so do these constants.
 ParametricSystem read_parametric_bertini(const Source& source,

@@ -30,6 +30,7 @@ struct CountLine {
 struct Layout {
   std::optional<CountLine> count;
   std::vector<Statement> polynomials;
+  std::vector<Statement> conditions;
   Statement rest;  // text behind the last `;`, up to a heading
 };
 
@@ -101,8 +102,8 @@ std::size_t heading_in(std::string_view text) {
   return text.size();
 }
 
-/// The lines that hold something; none unless each has one `=`, so that no line can go on with
-/// another.
+/// The lines that hold something; none unless each has one `=` or is a condition, so that no line
+/// can go on with another.
 std::vector<Statement> equations_by_line(const Statement& text) {
   std::vector<Statement> equations;
   std::string_view rest = text.text;
@@ -113,7 +114,8 @@ std::vector<Statement> equations_by_line(const Statement& text) {
     const auto lead = static_cast<std::size_t>(line.data() - raw.data());
     const SourcePosition end = after(at, raw);
     if (!line.empty()) {
-      if (std::count(line.begin(), line.end(), '=') != 1) return {};
+      const bool is_equation = std::count(line.begin(), line.end(), '=') == 1;
+      if (!is_equation && !is_condition(line)) return {};
       equations.push_back({line, after(at, raw.substr(0, lead)), end, true});
     }
     at = raw.size() < rest.size() ? after(end, "\n") : end;
@@ -122,7 +124,16 @@ std::vector<Statement> equations_by_line(const Statement& text) {
   return equations;
 }
 
-Layout layout_of(const Source& source, std::vector<Diagnostic>& faults) {
+/// Conditions among the equations; no count line counts them.
+void set_conditions_apart(Layout& layout) {
+  std::vector<Statement>& all = layout.polynomials;
+  const auto is_equation = [](const Statement& each) { return !is_condition(each.text); };
+  const auto first = std::stable_partition(all.begin(), all.end(), is_equation);
+  layout.conditions.assign(first, all.end());
+  all.erase(first, all.end());
+}
+
+Layout statements_of(const Source& source, std::vector<Diagnostic>& faults) {
   Layout layout;
   std::string_view text = source.text;
   SourcePosition at;
@@ -142,6 +153,12 @@ Layout layout_of(const Source& source, std::vector<Diagnostic>& faults) {
     }
     layout.polynomials.push_back(cursor.next());
   }
+}
+
+Layout layout_of(const Source& source, std::vector<Diagnostic>& faults) {
+  Layout layout = statements_of(source, faults);
+  set_conditions_apart(layout);
+  return layout;
 }
 
 bool reads_like_mathematics(std::string_view text) {
@@ -227,6 +244,15 @@ std::string missing_end_hint(const Statement& rest) {
          " has no `;` behind it: " + first_line(rest.text);
 }
 
+/// A condition behind the last `;`, which text that is no mathematics would be left alone.
+void check_last_condition(const Layout& layout, std::vector<Diagnostic>& faults) {
+  Statement line = layout.rest;
+  line.text = trimmed(line.text.substr(0, line.text.find('\n')));
+  if (is_condition(line.text) && parses_as_condition(line)) {
+    faults.push_back({line.begin, "this condition has no `;` behind it"});
+  }
+}
+
 void check_polynomial_count(const Layout& layout, std::vector<Diagnostic>& faults) {
   const std::size_t found = layout.polynomials.size();
   const bool has_rest = !layout.rest.text.empty();
@@ -309,9 +335,7 @@ void check_unknown_count(const Layout& layout, const std::vector<NamePlace>& unk
 }
 
 Environment meanings_of(const std::vector<NamePlace>& unknowns) {
-  Environment names;
-  for (const char* unit : {"i", "I"}) names.emplace(unit, constant({0, 1}));
-  for (const char* pi : {"pi", "\u03c0"}) names.emplace(pi, constant(number_pi()));
+  Environment names = meanings_of_constants();
   for (std::size_t k = 0; k < unknowns.size(); ++k) {
     names.emplace(unknowns[k].name, unknown(static_cast<std::uint32_t>(k)));
   }
@@ -320,9 +344,17 @@ Environment meanings_of(const std::vector<NamePlace>& unknowns) {
 
 }  // namespace
 
+Environment meanings_of_constants() {
+  Environment names;
+  for (const char* unit : {"i", "I"}) names.emplace(unit, constant({0, 1}));
+  for (const char* pi : {"pi", "\u03c0"}) names.emplace(pi, constant(number_pi()));
+  return names;
+}
+
 System read_phcpack(const Source& source, std::vector<Diagnostic>& faults) {
   const Layout layout = layout_of(source, faults);
   check_polynomial_count(layout, faults);
+  check_last_condition(layout, faults);
   const std::vector<NamePlace> unknowns = unknowns_of(layout.polynomials);
   check_unknown_count(layout, unknowns, faults);
 
@@ -343,6 +375,9 @@ System read_phcpack(const Source& source, std::vector<Diagnostic>& faults) {
   }
   system.is_exact = !expander.has_rounded_number() && !names_pi(layout.polynomials, source.text);
   system.denominators = expander.denominators();
+  for (const Statement& statement : layout.conditions) {
+    read_condition(statement, names, system, faults);
+  }
   return system;
 }
 

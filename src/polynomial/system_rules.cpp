@@ -94,7 +94,19 @@ std::vector<std::string> broken_rules(const System& f) {
   for (const Polynomial& denominator : f.denominators) {
     check_terms(denominator, "a denominator", f.variables.size(), broken);
   }
+  for (const Condition& condition : f.conditions) {
+    const Rules of_condition = broken_rules(condition, f.variables.size());
+    broken.insert(broken.end(), of_condition.begin(), of_condition.end());
+  }
   check_groups(f, broken);
+  return broken;
+}
+
+std::vector<std::string> broken_rules(const Condition& condition, std::size_t unknowns) {
+  Rules broken;
+  const std::string place = "the condition '" + condition.text + "'";
+  check_terms(condition.p, place, unknowns, broken);
+  if (!is_real(condition.p)) broken.push_back(place + " has a coefficient that is not real");
   return broken;
 }
 

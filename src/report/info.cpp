@@ -63,6 +63,7 @@ SystemInfo inspect(const System& f, const InspectOptions& options) {
   info.real = is_real(f);
   info.homogeneous = std::all_of(f.polynomials.begin(), f.polynomials.end(),
                                  [](const Polynomial& p) { return is_homogeneous(p); });
+  for (const Condition& condition : f.conditions) info.conditions.push_back(condition.text);
   const Reduction reduction = eliminate(f, options.stop);
   info.verdict = to_string(reduction.verdict);
   info.reduced = facts(reduction.system);

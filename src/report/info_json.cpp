@@ -14,6 +14,7 @@ std::string info_json(const SystemInfo& info, const std::string& file) {
                       {"terms", info.terms},
                       {"real", info.real},
                       {"homogeneous", info.homogeneous}};
+  if (!info.conditions.empty()) report["system"]["conditions"] = info.conditions;
   report["reduced"] = {{"verdict", info.verdict},
                        {"variables", info.reduced.variables},
                        {"degrees", info.reduced.degrees},

@@ -30,6 +30,7 @@ std::string info_text(const SystemInfo& info, const std::string& file) {
   text += "degrees       " + degrees_line(info.system) + '\n';
   text += std::string("coefficients  ") + (info.real ? "real" : "complex") + '\n';
   text += std::string("homogeneous   ") + (info.homogeneous ? "yes" : "no") + '\n';
+  if (!info.conditions.empty()) text += "conditions    " + joined(info.conditions, ", ") + '\n';
   text += "tracked       ";
   if (info.reduced.degrees.empty()) {
     text += "nothing: " + info.verdict + '\n';

@@ -26,6 +26,7 @@ Json solution_json(const Solution& solution, Json x) {
             {"precision", to_string(solution.precision)},
             {"certified", solution.certified ? Json(*solution.certified) : Json()}};
   json["x"] = std::move(x);
+  if (!solution.on_boundary.empty()) json["on_boundary"] = solution.on_boundary;
   return json;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "moivre/expression/counted.h"
+#include "moivre/expression/joined.h"
 #include "moivre/expression/utf8.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/solve_report.h"
@@ -146,8 +147,9 @@ std::string root_text(const Solution& root, const std::vector<std::string>& name
   }
   if (root.singular) text += ", singular";
   if (root.certified == true) text += ", certified";
-  text += ", accuracy " + rough_text(root.accuracy) + ", condition " + rough_text(root.condition) +
-          '\n';
+  text += ", accuracy " + rough_text(root.accuracy) + ", condition " + rough_text(root.condition);
+  if (!root.on_boundary.empty()) text += ", on the boundary of " + joined(root.on_boundary, ", ");
+  text += '\n';
   return text + coordinates_text(root, names);
 }
 

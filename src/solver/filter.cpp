@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "condition_value.h"
 #include "drop_solutions.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
@@ -37,6 +38,48 @@ bool is_wanted(const RootFilter& filter, const std::vector<std::size_t>& places,
   return true;
 }
 
+void keep_by_coordinates(const RootFilter& filter, SolveResult& result) {
+  const std::vector<std::string>& unknowns = result.system.variables;
+  std::vector<std::size_t> places;
+  for (const WantedRange& range : filter.box) {
+    const auto at = std::find(unknowns.begin(), unknowns.end(), range.unknown);
+    places.push_back(static_cast<std::size_t>(at - unknowns.begin()));
+  }
+  const std::size_t before = result.solutions.size();
+  result.filtered += drop_solutions(
+      result, [&](const Solution& root) { return !is_wanted(filter, places, root); });
+  const std::uint64_t left = before - result.solutions.size();
+  result.left_out.push_back({"roots that are not " + said(filter),
+                             "asked for: " + counted(left, "root is", "roots are") + " not told"});
+}
+
+/// As far as its digits tell; the boundary belongs to p >= 0.
+bool meets(const Solution& root, const Condition& condition) {
+  if (!root.real) return false;
+  const Sign sign = sign_at(condition.p, root);
+  return sign == Sign::positive || (sign == Sign::unknown && !condition.is_strict);
+}
+
+/// Takes out the roots that do not meet the condition, and notes which are on its boundary.
+void keep_met(const Condition& condition, SolveResult& result) {
+  std::uint64_t left = 0;
+  std::uint64_t hidden_by_digits = 0;
+  for (Solution& root : result.solutions) {
+    const bool is_on_boundary = root.real && sign_at(condition.p, root) == Sign::unknown;
+    if (is_on_boundary) root.on_boundary.push_back(condition.text);
+    if (is_on_boundary && condition.is_strict) ++hidden_by_digits;
+    if (!meets(root, condition)) ++left;
+  }
+  result.filtered +=
+      drop_solutions(result, [&](const Solution& root) { return !meets(root, condition); });
+  std::string why = "asked for: " + counted(left, "root is", "roots are") + " not told";
+  if (hidden_by_digits > 0) {
+    why +=
+        ", " + std::to_string(hidden_by_digits) + " of them on its boundary as far as digits tell";
+  }
+  result.left_out.push_back({"roots that do not meet " + condition.text, why});
+}
+
 }  // namespace
 
 std::vector<std::string> broken_rules(const RootFilter& filter,
@@ -52,24 +95,17 @@ std::vector<std::string> broken_rules(const RootFilter& filter,
                        "' goes from the lower number to the upper");
     }
   }
+  for (const Condition& condition : filter.conditions) {
+    const std::vector<std::string> of_condition = broken_rules(condition, unknowns.size());
+    broken.insert(broken.end(), of_condition.begin(), of_condition.end());
+  }
   return broken;
 }
 
 void keep_wanted(const RootFilter& filter, SolveResult& result) {
-  const std::vector<std::string>& unknowns = result.system.variables;
-  require_unbroken(broken_rules(filter, unknowns));
-  if (filter.wants_all()) return;
-  std::vector<std::size_t> places;
-  for (const WantedRange& range : filter.box) {
-    const auto at = std::find(unknowns.begin(), unknowns.end(), range.unknown);
-    places.push_back(static_cast<std::size_t>(at - unknowns.begin()));
-  }
-  const std::size_t before = result.solutions.size();
-  result.filtered += drop_solutions(
-      result, [&](const Solution& root) { return !is_wanted(filter, places, root); });
-  const std::uint64_t left = before - result.solutions.size();
-  result.left_out.push_back({"roots that are not " + said(filter),
-                             "asked for: " + counted(left, "root is", "roots are") + " not told"});
+  require_unbroken(broken_rules(filter, result.system.variables));
+  if (!said(filter).empty()) keep_by_coordinates(filter, result);
+  for (const Condition& condition : filter.conditions) keep_met(condition, result);
 }
 
 }  // namespace moivre

@@ -61,6 +61,33 @@ TEST(SolveCommand, GivesTheSameBytesForEveryNumberOfThreads) {
   }
 }
 
+TEST(SolveCommand, TellsTheRootsThatMeetConditions) {
+  Scene scene;
+  scene.write("f.txt", "x^2 + y^2 = 5\nx*y = 2\nx > 0\nx*y <= 2\n");  // +-(1, 2), +-(2, 1)
+  const Outcome told = scene.run({"solve", "f.txt", "--where", "x < y", "--where", "0 < y <= 7"});
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_TRUE(contains(told.out, "1 isolated root: 1 real, 0 not real; 3 more were not asked for"))
+      << told.out;
+  EXPECT_TRUE(contains(told.out, ", on the boundary of x*y <= 2\n  x =  1\n  y =  2\n"))
+      << told.out;
+  const Json json = Json::parse(scene.run({"solve", "f.txt", "--json", "-"}).out);
+  EXPECT_EQ(json["filtered"], 2);
+  EXPECT_EQ(json["solutions"][0]["on_boundary"], Json({"x*y <= 2"}));
+  const Outcome open = scene.run({"solve", "f.txt", "--where", "x*y > 2"});
+  EXPECT_TRUE(contains(open.out, "2 of them on its boundary as far as digits tell")) << open.out;
+  const Outcome guesses = scene.run({"guesses", "f.txt", "--json", "-"});
+  EXPECT_EQ(Json::parse(guesses.out)["guesses"].size(), 2U);
+}
+
+TEST(SolveCommand, RefusesWhatIsNoConditionWithACaret) {
+  Scene scene;
+  scene.write("f.txt", "x^2 = 5\n");
+  const Outcome outcome = scene.run({"solve", "f.txt", "--where", "x > z"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "--where:1:5: error: `z` occurs in this condition"))
+      << outcome.err;
+}
+
 #if MOIVRE_WITH_MULTIPRECISION
 
 // Roots 2e-20 apart: Newton's method comes to the same one of them twice.

@@ -133,11 +133,91 @@ TEST(Filter, RealAndNonzero) {
   EXPECT_EQ(positive.solutions.size(), 1U);
 }
 
+/// The roots that meet the conditions of the text itself.
+SolveResult kept(const std::string& text) {
+  SolveResult result = solved(text);
+  keep_wanted({.conditions = read_system({"text", text}).conditions}, result);
+  return result;
+}
+
+TEST(FilterConditions, KeepTheRealRootsThatMeetThemAll) {
+  const std::string circle = "x^2 + y^2 - 5; x*y - 2; ";  // +-(1, 2), +-(2, 1)
+  EXPECT_EQ(kept(circle + "x > 0;").solutions.size(), 2U);
+  EXPECT_EQ(kept(circle + "x > 0; x < y;").solutions.size(), 1U);
+  EXPECT_EQ(kept(circle + "0 < x < 3/2;").solutions.size(), 1U);
+  EXPECT_EQ(kept(circle + "x^2*y > 3;").solutions.size(), 1U);
+  const SolveResult none = kept(circle + "x*y <= 1;");
+  EXPECT_TRUE(none.solutions.empty());
+  EXPECT_EQ(none.filtered, 4U);
+  EXPECT_EQ(none.paths.finite, sum_of(none));
+  EXPECT_EQ(none.completeness, RootCompleteness::proved);
+  EXPECT_EQ(kept("x^4 - 1; x < 5;").solutions.size(), 2U) << "i is not real";
+}
+
+TEST(FilterConditions, SayWhatIsOnTheBoundaryAsFarAsDigitsTell) {
+  // x y is 2 at every root.
+  const std::string circle = "x^2 + y^2 - 5; x*y - 2; ";
+  const SolveResult closed = kept(circle + "x*y <= 2;");
+  ASSERT_EQ(closed.solutions.size(), 4U);
+  for (const Solution& root : closed.solutions) {
+    EXPECT_EQ(root.on_boundary, std::vector<std::string>{"x*y <= 2"});
+  }
+  const SolveResult open = kept(circle + "x*y < 2;");
+  EXPECT_TRUE(open.solutions.empty());
+  EXPECT_NE(open.left_out.back().why.find("4 of them on its boundary"), std::string::npos)
+      << open.left_out.back().why;
+  const SolveResult inside = kept(circle + "x*y <= 2 + 1e-9;");
+  ASSERT_EQ(inside.solutions.size(), 4U);
+  EXPECT_TRUE(inside.solutions[0].on_boundary.empty());
+}
+
+TEST(FilterConditions, AreDecidedAsFarAsTheAccuracyOfTheRootReaches) {
+  // Roots 1 and 1 + 1e-9: 1e-12 beside them is told, 1e-20 is not.
+  const std::string pair = "(x - 1)*(x - 1 - 1e-9); y - 1e6*x; ";
+  for (const auto& [bound, told, on_boundary] :
+       {std::tuple{"1 - 1e-12", 2U, 0U}, {"1 + 1e-12", 1U, 0U}, {"1 + 1e-20", 1U, 1U}}) {
+    const SolveResult result = kept(pair + "1e6*x > 1e6*(" + bound + ");");
+    EXPECT_EQ(result.solutions.size(), told) << bound;
+    const std::string& why = result.left_out.back().why;
+    EXPECT_EQ(why.find("on its boundary") != std::string::npos, on_boundary > 0) << why;
+  }
+}
+
+TEST(FilterConditions, OfAClusterHoldWithinItsRadius) {
+  Solution cluster;
+  cluster.x = {1.0};
+  cluster.real = cluster.cluster = true;
+  cluster.accuracy = 1e-15;
+  cluster.radius = 1e-3;
+  cluster.multiplicity = 2;
+  SolveResult result;
+  result.system.variables = {"x"};
+  result.solutions = {cluster};
+  const Polynomial x = unknown(0);
+  keep_wanted({.conditions = {{x - Rational(9999, 10000), false, "x >= 0.9999"}}}, result);
+  ASSERT_EQ(result.solutions.size(), 1U);
+  EXPECT_EQ(result.solutions[0].on_boundary.size(), 1U);
+}
+
+TEST(FilterConditions, WhoseValuesLeaveDoubleAreNotDecided) {
+  Solution root;
+  root.x = {1e200};
+  root.real = true;
+  SolveResult result;
+  result.system.variables = {"x"};
+  result.solutions = {root};
+  const Polynomial x = unknown(0);
+  keep_wanted({.conditions = {{pow(x, 3) - pow(x, 2), false, "x^3 >= x^2"}}}, result);
+  ASSERT_EQ(result.solutions.size(), 1U);
+  EXPECT_EQ(result.solutions[0].on_boundary.size(), 1U);
+}
+
 TEST(Filter, RefusesWhatCannotBeMeant) {
   SolveResult result = solved("x - 1;");
   EXPECT_THROW(keep_wanted({.box = {{"z", 0, 1}}}, result), InvalidInput);
   EXPECT_THROW(keep_wanted({.box = {{"x", 1, 0}}}, result), InvalidInput);
   EXPECT_THROW(keep_wanted({.box = {{"x", std::nan(""), 0}}}, result), InvalidInput);
+  EXPECT_THROW(keep_wanted({.conditions = {{unknown(1), true, "y > 0"}}}, result), InvalidInput);
 }
 
 }  // namespace

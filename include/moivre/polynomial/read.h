@@ -18,7 +18,8 @@
 //
 // All as people write them: divisions by polynomials and negative exponents (System::denominators
 // keeps what is cleared), functions and roots of numbers (sqrt(2), 2^(1/3), cos(0.3)), 2x. Beside
-// Bertini's form also: pi, # comments, and in PHCpack's left = right.
+// Bertini's form also: pi, # comments, and in PHCpack's left = right and conditions, x > 0, which
+// no count line counts (System::conditions).
 // Not supported: Bertini's pathvariable and parameters (refused with the reason, but by
 // read_parametric()).
 #pragma once
@@ -43,6 +44,11 @@ PolynomialFormat detect_format(const std::string& text);
 /// where the file says so (`n m` count line); whether it can be solved is the caller's to decide.
 System read_system(const Source& source);
 System read_system(const Source& source, PolynomialFormat format);
+
+/// Conditions typed beside a system, in its unknowns: "x > 0", "0 < x*y <= 2", several with `;`
+/// between. Throws ParseError with every fault.
+std::vector<Condition> read_conditions(const Source& source,
+                                       const std::vector<std::string>& unknowns);
 
 /// A system with names that are parameters: what a file declares by Bertini's `parameter`, and
 /// those of its constants that are asked for.

@@ -113,6 +113,13 @@ struct VariableGroup {
   friend bool operator==(const VariableGroup&, const VariableGroup&) = default;
 };
 
+/// p > 0, or p >= 0, at a real root: which roots are wanted (solver/filter.h), not which there are.
+struct Condition {
+  Polynomial p;
+  bool is_strict = true;
+  std::string text;  ///< as it was typed, for messages and results
+};
+
 struct System {
   std::vector<std::string> variables;
   std::vector<Polynomial> polynomials;
@@ -124,9 +131,12 @@ struct System {
   /// By which the text divides, cleared from the equations: what makes one of them zero is no root
   /// of what was typed.
   std::vector<Polynomial> denominators = {};
+  /// Inequalities that stand among the equations. solve() finds all roots whatever they say, and
+  /// keep_wanted() judges them (solver/filter.h).
+  std::vector<Condition> conditions = {};
 
-  /// The same equations in the same unknowns. Groups tell how to look for roots, not which
-  /// equations hold.
+  /// The same equations in the same unknowns. Groups tell how to look for roots, and conditions
+  /// which are wanted, not which equations hold.
   friend bool operator==(const System& a, const System& b) {
     return a.variables == b.variables && a.polynomials == b.polynomials &&
            a.denominators == b.denominators;
@@ -137,6 +147,8 @@ struct System {
 /// are canonical, their variables are there and their exponents 1 or more; a variable is in one
 /// group at most.
 std::vector<std::string> broken_rules(const System& f);
+/// The same of a condition in so many unknowns; its coefficients are real, too.
+std::vector<std::string> broken_rules(const Condition& condition, std::size_t unknowns);
 /// The polynomials in unknowns of these names. Throws InvalidInput with every broken rule.
 System make_system(std::vector<std::string> variables, std::vector<Polynomial> polynomials);
 

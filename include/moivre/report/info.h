@@ -26,10 +26,11 @@ struct SystemInfo {
   SystemFacts system;
   std::uint64_t equations = 0;
   std::uint64_t terms = 0;
-  bool real = false;         ///< every coefficient is
-  bool homogeneous = false;  ///< every polynomial is
-  std::string verdict;       ///< of elimination: square, solved, inconsistent, dependent, ...
-  SystemFacts reduced;       ///< what would be tracked
+  bool real = false;                    ///< every coefficient is
+  bool homogeneous = false;             ///< every polynomial is
+  std::vector<std::string> conditions;  ///< that stand among the equations
+  std::string verdict;  ///< of elimination: square, solved, inconsistent, dependent, ...
+  SystemFacts reduced;  ///< what would be tracked
   std::uint64_t reduced_terms = 0;
   std::vector<int> variable_log2;  ///< scaling of what would be tracked
   std::vector<int> equation_log2;

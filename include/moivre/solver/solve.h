@@ -133,6 +133,8 @@ struct Solution {
   /// possible because F has more equations than unknowns.
   std::optional<bool> certified;
   PathPrecision precision = PathPrecision::double_precision;  ///< that its paths needed
+  /// Conditions that its digits do not tell from equalities there (solver/filter.h).
+  std::vector<std::string> on_boundary = {};
   std::vector<ComplexDecimal>
       x_digits;  ///< x in SolveResult::digits digits; empty where there are none
 };
