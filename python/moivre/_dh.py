@@ -2,8 +2,8 @@
 # How are Denavit-Hartenberg's numbers written as a URDF? One joint a row; what stands before its axis is the origin.
 """Arms by Denavit-Hartenberg's numbers."""
 
+import html
 import math
-from xml.sax.saxutils import quoteattr
 
 
 def _row(row, k):
@@ -34,7 +34,7 @@ def dh_urdf(rows, modified, name):
     """The arm as the text of a URDF. Between two axes stand Rz(theta) Tz(d) and Tx(a) Rx(alpha), in this order or, as Craig has
     it, a row's a and alpha before its axis; each is an origin of its own, so that no angle is computed."""
     rows = [_row(row, k) for k, row in enumerate(rows)]
-    parts = [f"<robot name={quoteattr(str(name))}><link name=\"base\"/>"]
+    parts = [f"<robot name=\"{html.escape(str(name))}\"><link name=\"base\"/>"]
     last = "base"
 
     def add(link, joint, kind, xyz, rpy, limits=None):

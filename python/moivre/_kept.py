@@ -3,7 +3,6 @@
 """Runs that are kept."""
 
 import contextlib
-import hashlib
 import os
 import warnings
 
@@ -19,6 +18,7 @@ def kept(ledger, call, content, options):
     if ledger is None:
         yield options, lambda text, is_complete: None
         return
+    import hashlib  # takes as long as half of the package
     identity = [("command", f"{call} in Python"), ("content", hashlib.sha256(content.encode()).hexdigest())]
     identity += [(name, repr(value)) for name, value in sorted(options.items()) if name not in _OF_THE_CALL]
     book = _moivre.CallLedger(os.fspath(ledger), identity)
