@@ -26,9 +26,9 @@ constexpr std::uint64_t kAsWitness = 4, kWitnessed = 8;
 constexpr std::size_t kWorthAFamily = 8, kTogether = 128;
 
 /// Another pose of a list: nothing was solved for it, its closures came from the regular pose.
-void tell_followed(const PreparedArm& prepared, const Known& known, ArmResult& result) {
+void tell_followed(const PreparedArm& prepared, const KnownOfPose& known, ArmResult& result) {
   std::uint64_t roots = 0;
-  for (const Beginning& beginning : prepared.beginnings) roots += beginning.regular.roots.size();
+  for (const ArmBeginning& beginning : prepared.beginnings) roots += beginning.regular.roots.size();
   result.start.kind = known.by_formula ? "formula" : known.is_any() ? "family" : "approach";
   result.start.why =
       known.by_formula
@@ -58,7 +58,7 @@ struct PreparedList {
 };
 
 /// Where it finds all closures of the regular pose.
-std::optional<GroupFormula> formula_of(const Beginning& beginning) {
+std::optional<GroupFormula> formula_of(const ArmBeginning& beginning) {
   const RegularPose& regular = beginning.regular;
   auto formula = group_formula(beginning.six.arm, regular.cut);
   if (!formula) return std::nullopt;
@@ -104,7 +104,7 @@ class PoseList {
     std::atomic<std::size_t> next = 0;
     on_threads(static_cast<int>(std::min(count, threads())), [&] {
       for (std::size_t k = next++; k < count && !stop_ && !has_thrown_; k = next++) {
-        results[k] = solve_one(begin + k, Known{followed[k], by_formula(begin + k)});
+        results[k] = solve_one(begin + k, KnownOfPose{followed[k], by_formula(begin + k)});
         tell();
       }
     });
@@ -117,7 +117,7 @@ class PoseList {
   /// The ends of the block's poses by the family; empty where it does not answer.
   std::vector<std::vector<ApproachEnd>> follow(std::size_t begin, std::size_t count) const {
     if (!list_.family) return std::vector<std::vector<ApproachEnd>>(count);
-    const Beginning& beginning = list_.prepared.beginnings.front();
+    const ArmBeginning& beginning = list_.prepared.beginnings.front();
     SolveOptions together = list_.prepared.options;
     together.threads = static_cast<int>(threads());
     return follow_poses(*list_.family, beginning.six.arm, std::span(poses_).subspan(begin, count),
@@ -126,12 +126,12 @@ class PoseList {
 
   std::optional<FoundClosures> by_formula(std::size_t pose) const {
     if (!list_.formula) return std::nullopt;
-    const Beginning& beginning = list_.prepared.beginnings.front();
+    const ArmBeginning& beginning = list_.prepared.beginnings.front();
     return closures_by_formula(*list_.formula, beginning.six.arm, poses_[pose].pose,
                                beginning.regular.roots.size());
   }
 
-  ArmResult solve_one(std::size_t pose, const Known& known) const {
+  ArmResult solve_one(std::size_t pose, const KnownOfPose& known) const {
     const Stopwatch watch;
     ArmResult result = closures_at(list_.prepared, poses_[pose], known,
                                    pose % kWitnessed == 0 ? 1 : 0, tracker_, stop_);
@@ -171,7 +171,7 @@ ArmResult find_arm_closures(const Arm& arm, const TypedPose& given, const Tracke
   const TypedPose pose = workable(given, "the pose");
   const Stopwatch watch;
   const PreparedArm prepared = prepare(arm, tracker, options, stop);
-  ArmResult result = closures_at(prepared, pose, Known{}, kAsWitness, tracker, stop);
+  ArmResult result = closures_at(prepared, pose, KnownOfPose{}, kAsWitness, tracker, stop);
   result.time_s.total = watch.total();
   return result;
 }

@@ -20,7 +20,7 @@ constexpr std::uint64_t kForSets = 40, kForNearest = 4;
 
 /// All closures of the regular pose on their way to this one; ways differ until nothing speaks
 /// against what they lead to.
-std::vector<ApproachEnd> approach_all(const Beginning& beginning, const Eigen::Isometry3d& pose,
+std::vector<ApproachEnd> approach_all(const ArmBeginning& beginning, const Eigen::Isometry3d& pose,
                                       std::uint64_t seed, bool& is_consistent) {
   constexpr std::uint64_t kWays = 4, kBehindOthers = 5000;
   constexpr double kContraction = 0.1, kMoreCareful = 0.25;
@@ -91,7 +91,7 @@ std::string message_of(const Arm& arm, const PostureList& list, const ArmResult&
 }
 
 /// Closures far from real may be real next to singular postures.
-bool may_have_become_real(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
+bool may_have_become_real(const ArmBeginning& beginning, const std::vector<ApproachEnd>& ends,
                           const PostureList& list) {
   constexpr double kNearlySingular = 0.02;
   if (beginning.regular.far == 0) return false;
@@ -124,9 +124,9 @@ PoseSearch begin_search(const PreparedArm& prepared, const TypedPose& at, const 
 }
 
 /// The paths of one beginning, or what is known of their ends.
-void enter_ends(PoseSearch& pose, std::size_t k, const Known& known, const Tracker& tracker,
+void enter_ends(PoseSearch& pose, std::size_t k, const KnownOfPose& known, const Tracker& tracker,
                 const std::atomic<bool>& stop) {
-  const Beginning& beginning = pose.prepared.beginnings[k];
+  const ArmBeginning& beginning = pose.prepared.beginnings[k];
   PostureList& list = pose.list;
   ArmResult& result = pose.result;
   bool is_consistent = known.is_any();
@@ -202,7 +202,7 @@ ArmResult finished(PoseSearch&& pose) {
 
 }  // namespace
 
-ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at, const Known& known,
+ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at, const KnownOfPose& known,
                       std::uint64_t as_witness, const Tracker& tracker,
                       const std::atomic<bool>& stop) {
   PoseSearch pose = begin_search(prepared, at, tracker);

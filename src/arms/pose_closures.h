@@ -17,7 +17,7 @@
 namespace moivre {
 
 /// What is known of a pose's closures before anything is followed.
-struct Known {
+struct KnownOfPose {
   std::vector<ApproachEnd> by_family;  ///< or none
   std::optional<FoundClosures> by_formula;
 
@@ -25,7 +25,7 @@ struct Known {
 };
 
 /// `known`: of an arm with one beginning. `as_witness`: searches from random postures, at the least.
-ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at, const Known& known,
+ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at, const KnownOfPose& known,
                       std::uint64_t as_witness, const Tracker& tracker,
                       const std::atomic<bool>& stop);
 

@@ -63,7 +63,7 @@ PreparedArm prepare(const Arm& arm, const Tracker& tracker, const SolveOptions& 
   }
   for (std::uint64_t k = 0; k < tries && !stop; ++k) {
     const Eigen::VectorXd held = random_joint_values(arm, options.seed, kBehindOthers + 1 + k);
-    Beginning beginning{six_joints(arm, idle, held, options.seed), {}};
+    ArmBeginning beginning{six_joints(arm, idle, held, options.seed), {}};
     beginning.regular = find_regular_pose(beginning.six.arm, tracker, options, stop);
     prepared.is_complete = prepared.is_complete && beginning.regular.complete;
     prepared.beginnings.push_back(std::move(beginning));
@@ -76,7 +76,7 @@ void take_account(const PreparedArm& prepared, const Tracker& tracker, ArmResult
   result.seed = prepared.seed;
   result.tracker = tracker.kind();
   result.tracker_options = tracker.options_in_force();
-  for (const Beginning& beginning : prepared.beginnings) {
+  for (const ArmBeginning& beginning : prepared.beginnings) {
     const SolveResult& solved = beginning.regular.solved;
     result.start = solved.start;
     result.paths += solved.paths;
@@ -92,7 +92,7 @@ void take_account(const PreparedArm& prepared, const Tracker& tracker, ArmResult
     result.stages.push_back({names_of(six, beginning.regular.cut.outside), 1, solved.paths});
   }
   if (prepared.beginnings.empty()) return;
-  const Beginning& first = prepared.beginnings.front();
+  const ArmBeginning& first = prepared.beginnings.front();
   result.left_out.push_back(cut_told(first.six.arm, first.regular.cut));
 }
 

@@ -18,7 +18,7 @@ namespace moivre {
 inline constexpr std::size_t kSixJoints = 6;
 
 /// An arm of six joints that stands for the arm, and its closures at a regular pose.
-struct Beginning {
+struct ArmBeginning {
   SixJoints six;
   RegularPose regular;
 };
@@ -27,7 +27,8 @@ struct PreparedArm {
   const Arm& arm;
   std::uint64_t seed = 0;
   SolveOptions options;
-  std::vector<Beginning> beginnings;  ///< one; more where joints are held that move on curved sets
+  std::vector<ArmBeginning>
+      beginnings;  ///< one; more where joints are held that move on curved sets
   bool is_always_moving = false;
   bool is_complete = false;
 };

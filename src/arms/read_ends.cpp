@@ -24,7 +24,7 @@ double imaginary_size(const Arm& arm, const JointVector<Complex>& values) {
 }
 
 /// How far the turns that were added are from 0, where they stand at a closure of the arm.
-double added_size(const Beginning& beginning, const ApproachEnd& end) {
+double added_size(const ArmBeginning& beginning, const ApproachEnd& end) {
   double largest = 0;
   for (std::size_t k = beginning.six.own.size(); k < beginning.six.arm.joints.size(); ++k) {
     const Complex angle = end.values[static_cast<Eigen::Index>(k)];
@@ -85,8 +85,8 @@ bool hold_between(const PostureList& list, const ArmClosure& closure,
 
 }  // namespace
 
-bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends, PostureList& list,
-               ArmResult& result, PathsSeen& seen) {
+bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& ends,
+               PostureList& list, ArmResult& result, PathsSeen& seen) {
   constexpr double kNearlyReal = 0.1, kFarthest = 0.1, kMargin = 10;
   const SixJoints& six = beginning.six;
   const bool has_all_joints = six.own.size() == kSixJoints;
@@ -126,7 +126,7 @@ bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends,
 
 // Beside a pair with imaginary parts y whose Jacobian has a smallest singular value s the pose is
 // missed by y s / 2 at the least; where an added joint stands at x, by s x.
-bool read_found(const Beginning& beginning, const FoundClosures& found, PostureList& list,
+bool read_found(const ArmBeginning& beginning, const FoundClosures& found, PostureList& list,
                 ArmResult& result) {
   constexpr double kNearlyReal = 0.1, kClearly = 8, kMargin = 10;
   const SixJoints& six = beginning.six;

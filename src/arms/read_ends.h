@@ -36,12 +36,12 @@ struct PathsSeen {
 /// Enters the closures of regular ends into the list. Singular ends, and places between two
 /// closures that are nearly real, are kept for when all is entered.
 /// False where a regular end is no posture.
-bool read_ends(const Beginning& beginning, const std::vector<ApproachEnd>& ends, PostureList& list,
-               ArmResult& result, PathsSeen& seen);
+bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& ends,
+               PostureList& list, ArmResult& result, PathsSeen& seen);
 
 /// Enters what the formula found, where nothing but its real closures may hold the pose; otherwise
 /// nothing, and false.
-bool read_found(const Beginning& beginning, const FoundClosures& found, PostureList& list,
+bool read_found(const ArmBeginning& beginning, const FoundClosures& found, PostureList& list,
                 ArmResult& result);
 
 /// Whether the end is at a set or a closure that is listed, or at one that is found next to it, or
