@@ -246,8 +246,10 @@ Json circuit_json(const Circuit& circuit, std::size_t number, const MotionResult
 
 /// Closures at `from` that lie on one circuit, two by two.
 Json pairs_json(const Circuits& circuits, const MotionResult& motion) {
-  const std::vector<std::size_t> firsts = first_branches(motion);
   Json pairs = Json::array();
+  // Then each sub-chain has circuits of its own, and the whole has none.
+  if (!motion.all_listed) return pairs;
+  const std::vector<std::size_t> firsts = first_branches(motion);
   for (std::size_t a = 0; a < firsts.size(); ++a) {
     const std::vector<std::optional<Passage>> ways = passages_from(circuits, firsts[a]);
     for (std::size_t b = a + 1; b < firsts.size(); ++b) {

@@ -234,6 +234,17 @@ TEST(MotionCommand, TellsCircuitsPairsAndFourBars) {
   EXPECT_EQ(json["four_bars"][0]["links"], Json::array({"ground", "rocker", "coupler", "crank"}));
 }
 
+TEST(MotionCommand, JsonOfMoreBranchesThanAreListedHasNoPairsOfTheWhole) {
+  const Scene scene;
+  const std::string beest =
+      MOIVRE_SOURCE_DIR "/problems/people/strandbeest-4-drawn-pose-not-listed.toml";
+  const Outcome outcome = scene.run({"motion", beest, "--tracker", "lanes", "--json", "-"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json report = Json::parse(outcome.out);
+  EXPECT_EQ(report["all_listed"], false);
+  EXPECT_TRUE(report["pairs"].empty());
+}
+
 TEST(MotionCommand, ClosureLeavesWhatIsReachedFromIt) {
   Scene scene;
   scene.write("rocker.toml", kRocker);

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// What does each way to settle what is open (settle.h) find that the others do not?
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "moivre/tracker_lanes/lane_tracker.h"
+#include "problem_set.h"
+
+namespace moivre {
+namespace {
+
+using test::read;
+using test::with_seed;
+
+/// Five simple roots: the four at x near +-1/sqrt(2) come in pairs, 1e-30 apart.
+System near_pairs(int degree) {
+  return read("2\n z*(x+3) - x^" + std::to_string(degree) +
+              " + 1;\n (2*x^2-1)^2*(2*x+1) - 1/10^60*x;\n");
+}
+
+std::size_t certified_roots(const SolveResult& result) {
+  return static_cast<std::size_t>(
+      std::count_if(result.solutions.begin(), result.solutions.end(),
+                    [](const Solution& root) { return root.certified == true; }));
+}
+
+TEST(Remedies, PathsWithoutDigitsGoOnTogetherInDoubleDoubleBeforeOneIsFollowedWithCare) {
+  SolveOptions options = with_seed(1);
+  options.start = StartKind::total_degree;
+  const SolveResult result = solve(near_pairs(24), *make_lane_tracker(), options);
+  EXPECT_EQ(result.completeness, Completeness::proved);
+  EXPECT_EQ(certified_roots(result), 5U);
+  // With care first it is 2.9 million steps, and ten times the processor time.
+  EXPECT_LT(result.work.accepted, 2'200'000U);
+}
+
+TEST(Remedies, SimpleRootsThatPassForOneInDoubleArePartedInDoubleDouble) {
+  const SolveResult result = solve(near_pairs(256), *make_cvode_tracker(), with_seed(2));
+  EXPECT_GE(certified_roots(result), 4U);
+}
+
+TEST(Remedies, RootsThatPassForOneInDoubleDoubleArePartedInMoreDigits) {
+  const SolveResult result = solve(near_pairs(256), *make_lane_tracker(), with_seed(1));
+  EXPECT_GE(certified_roots(result), 3U);
+}
+
+TEST(Remedies, SimpleRootsThatOnlyMoreDigitsShowAreTold) {
+  const System mignotte = read("1\n x^256 - (3*x - 1)^2;\n");
+  const SolveResult result = solve(mignotte, *make_lane_tracker(), with_seed(3));
+  EXPECT_EQ(result.solutions.size(), 256U);
+  EXPECT_EQ(certified_roots(result), 256U);
+}
+
+}  // namespace
+}  // namespace moivre
