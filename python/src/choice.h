@@ -54,8 +54,8 @@ Trackers make_trackers(const pybind11::dict& choice);
 /// `trackers` must outlive the options.
 SolveOptions solve_options(const pybind11::dict& choice, const Trackers& trackers);
 
-/// choice["time_limit"] and choice["ledger"], a CallLedger, beside the function that is told of progress. Throws
-/// std::invalid_argument.
+/// choice["time_limit"] and choice["ledger"], a CallLedger, beside the function that is told of
+/// progress. Throws std::invalid_argument.
 Terms terms_of(const pybind11::dict& choice, const pybind11::object& progress);
 
 /// The same options, whose progress counts in `oversight`: of a thread that works, which may touch

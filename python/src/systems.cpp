@@ -184,8 +184,8 @@ System with_conditions(System system, const std::vector<std::string>& texts) {
   return system;
 }
 
-/// real, positive, nonzero, the system's conditions, where: texts, and box: (name, from, to) each. Throws
-/// std::invalid_argument.
+/// real, positive, nonzero, the system's conditions, where: texts, and box: (name, from, to) each.
+/// Throws std::invalid_argument.
 RootFilter filter_of(const py::dict& choice, const System& system) {
   RootFilter filter;
   filter.real = is_asked(choice, "real");

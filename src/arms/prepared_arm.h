@@ -3,7 +3,8 @@
 // arm.
 //
 // An arm of six joints stands for the arm (six_joints.h). Where joints are held that move on curved
-// sets there are several, each with other values of these: a curved set may have no posture for one.
+// sets there are several, each with other values of these: a curved set may have no posture for
+// one.
 #pragma once
 
 #include <atomic>

@@ -2,8 +2,8 @@
 // Which postures do the ends of paths tell of?
 //
 //   regular    a closure, or none: complex, or one of the joints that were added is not at 0
-//   singular   closures meet there, or a set is there: explained by what is listed, once all regular
-//              ends and what searches have found are entered
+//   singular   closures meet there, or a set is there: explained by what is listed, once all
+//              regular ends and what searches have found are entered
 // Counts of `result` grow with what is read.
 #pragma once
 

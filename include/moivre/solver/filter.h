@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which roots are wanted? Real ones, positive ones, those without a zero, those in a box, those that
-// meet conditions; what is not wanted is counted.
+// Which roots are wanted? Real ones, positive ones, those without a zero, those in a box, those
+// that meet conditions; what is not wanted is counted.
 //
 // A root is kept or left out by its coordinates as they are told: real where Solution::real says
 // so, zero where a coordinate is no larger than the root's accuracy. Where a bound of the box lies
