@@ -45,12 +45,12 @@ LeftOut cut_told(const Arm& arm, const Cut& cut) {
 PreparedArm prepare(const Arm& arm, const Tracker& tracker, const SolveOptions& options,
                     const std::atomic<bool>& stop) {
   constexpr std::uint64_t kBehindOthers = 900, kCurvedTries = 4;
-  constexpr double kRounding = 1e-9, kDigits = 10;
+  constexpr double kIdleWithin = 1e-9, kDigits = 10;
   PreparedArm prepared{arm, options.seed, options, {}, false, true};
   prepared.options.threads = 1;
   prepared.options.progress = nullptr;
   const auto idle =
-      idle_in_every_posture(arm, options.seed, std::max(kRounding, kDigits * arm.rounding));
+      idle_in_every_posture(arm, options.seed, std::max(kIdleWithin, kDigits * arm.rounding));
   prepared.is_always_moving = !idle.empty();
   // A plane of joint space has a posture for any value of a joint that is held; a curved set may
   // have none.
