@@ -63,6 +63,8 @@ void judge_clusters(Bench& bench);
 LocalRing exact_ring(const System& f, const Point& x, double reach);
 /// Residual and condition (src/check/figures.cpp).
 void judge_figures(const Bench& bench);
+/// The conditions of the file at each root (src/check/conditions.cpp).
+void judge_conditions(const Bench& bench);
 /// The bound that is said to be met (src/check/bound_claim.cpp); behind the bounds that were found.
 void judge_bound(const Claims& claims, const StandIn& stand_in, Verdicts& verdicts,
                  const std::atomic<bool>& stop);

@@ -257,6 +257,7 @@ void judge_roots(const System& f, const Claims& given, Verdicts& verdicts,
   judge_figures(bench);
   judge_relations(bench);
   judge_digits(bench);
+  judge_conditions(bench);
   if (stand_in.has_all_roots) {
     find_bounds(stand_in, judgement, stop);
     bench.require_time();

@@ -54,7 +54,7 @@ std::optional<std::uint64_t> count_off(const System& f) {
 
 void drop_on_denominators(const System& f, SolveResult& result) {
   if (f.denominators.empty()) return;
-  result.on_denominators += drop_solutions(result, [&](const Solution& root) {
+  result.on_denominators += drop_solutions_where(result, [&](const Solution& root) {
     return std::any_of(f.denominators.begin(), f.denominators.end(),
                        [&](const Polynomial& d) { return is_zero_at(d, root); });
   });

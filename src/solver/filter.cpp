@@ -46,32 +46,35 @@ void keep_by_coordinates(const RootFilter& filter, SolveResult& result) {
     places.push_back(static_cast<std::size_t>(at - unknowns.begin()));
   }
   const std::size_t before = result.solutions.size();
-  result.filtered += drop_solutions(
+  result.filtered += drop_solutions_where(
       result, [&](const Solution& root) { return !is_wanted(filter, places, root); });
   const std::uint64_t left = before - result.solutions.size();
   result.left_out.push_back({"roots that are not " + said(filter),
                              "asked for: " + counted(left, "root is", "roots are") + " not told"});
 }
 
-/// As far as its digits tell; the boundary belongs to p >= 0.
-bool meets(const Solution& root, const Condition& condition) {
-  if (!root.real) return false;
-  const Sign sign = sign_at(condition.p, root);
+/// The boundary, as far as digits tell, belongs to p >= 0 and not to p > 0.
+bool meets(const Condition& condition, Sign sign) {
   return sign == Sign::positive || (sign == Sign::unknown && !condition.is_strict);
 }
 
 /// Takes out the roots that do not meet the condition, and notes which are on its boundary.
 void keep_met(const Condition& condition, SolveResult& result) {
-  std::uint64_t left = 0;
+  const auto fails = [&](const Solution& point) {
+    return !point.real || !meets(condition, sign_at(condition.p, point));
+  };
+  std::erase_if(result.on_sets, fails);
+  std::vector<bool> is_left_out;
   std::uint64_t hidden_by_digits = 0;
   for (Solution& root : result.solutions) {
-    const bool is_on_boundary = root.real && sign_at(condition.p, root) == Sign::unknown;
-    if (is_on_boundary) root.on_boundary.push_back(condition.text);
-    if (is_on_boundary && condition.is_strict) ++hidden_by_digits;
-    if (!meets(root, condition)) ++left;
+    const Sign sign = root.real ? sign_at(condition.p, root) : Sign::negative;
+    if (sign == Sign::unknown) root.on_boundary.push_back(condition.text);
+    if (sign == Sign::unknown && condition.is_strict) ++hidden_by_digits;
+    is_left_out.push_back(!meets(condition, sign));
   }
-  result.filtered +=
-      drop_solutions(result, [&](const Solution& root) { return !meets(root, condition); });
+  const auto left =
+      static_cast<std::uint64_t>(std::count(is_left_out.begin(), is_left_out.end(), true));
+  result.filtered += drop_solutions(result, is_left_out);
   std::string why = "asked for: " + counted(left, "root is", "roots are") + " not told";
   if (hidden_by_digits > 0) {
     why +=

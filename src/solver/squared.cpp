@@ -48,7 +48,7 @@ void drop_excess(const System& f, SolveResult& result) {
   const auto is_excess = [&](const Solution& root) {
     return !holds(refiner, root) || (is_exact && is_refuted(f, root));
   };
-  result.excess += drop_solutions(result, is_excess);
+  result.excess += drop_solutions_where(result, is_excess);
 }
 
 /// All equations of f vanish at fractions within what is known of the root.
@@ -88,7 +88,8 @@ void require_proofs(const System& f, const System& combinations, const QuotientR
                                  .simple;
   if (are_simple && counted_roots == simple) return;
   if (counted_roots == 0U && are_simple && simple == result.solutions.size()) {
-    result.excess += drop_solutions(result, [](const Solution& root) { return !root.singular; });
+    result.excess +=
+        drop_solutions_where(result, [](const Solution& root) { return !root.singular; });
     return;
   }
   put_in_doubt(result, "whether the file's other equations vanish at " +

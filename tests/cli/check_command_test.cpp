@@ -55,6 +55,21 @@ TEST(CheckCommand, PassesWhatSolveSaysOfItsProblems) {
   }
 }
 
+TEST(CheckCommand, RefutesARootThatDoesNotMeetAConditionOfTheFile) {
+  const Scene scene;
+  const std::string circle = "x^2 + y^2 = 5\nx*y = 2\n";  // +-(1, 2), +-(2, 1)
+  scene.write("all.txt", circle);
+  scene.write("wanted.txt", circle + "x > 0\nx*y <= 2\n");
+  scene.run({"solve", "wanted.txt", "--quiet", "--json", "wanted.json"});
+  const Outcome honest = scene.run({"check", "wanted.txt", "wanted.json"});
+  EXPECT_EQ(honest.exit_code, 0) << honest.out;
+  EXPECT_TRUE(contains(honest.out, "  inequality        4       0       0\n")) << honest.out;
+  scene.run({"solve", "all.txt", "--quiet", "--json", "all.json"});
+  const Outcome lie = scene.run({"check", "wanted.txt", "all.json"});
+  EXPECT_EQ(lie.exit_code, 2);
+  EXPECT_TRUE(contains(lie.out, "inequality: does not meet x > 0\n")) << lie.out;
+}
+
 TEST(CheckCommand, FindsWhatWasChanged) {
   const Scene scene;
   scene.write("plane.phc", "3\nx^2 + y^2 + z^2 - 6;\nx*y - z - 1;\nx + y + z - 4;\n");

@@ -17,7 +17,9 @@
 //   certified, completeness   proved again here; completeness by a bound of bounds/root_bounds.h
 //                             that the distinct roots meet
 //   bound         its value is the number of the roots, and that of its kind
-// A list of PHCpack claims roots, each listed once, and how many there are.
+//   inequality    every root meets the conditions of the file; open on the boundary, as far as what
+//                 is proved of the root tells
+// A list of PHCpack, which knows no conditions, claims roots, each listed once, and how many there are.
 //
 // The judge shares reading, the tape, the certificates and the bounds with the solver, but nothing
 // that follows a path.
@@ -58,7 +60,8 @@ enum class ClaimKind {
   digits,
   certified,
   completeness,
-  bound
+  bound,
+  inequality
 };
 std::string to_string(ClaimKind kind);
 

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+// Is a root refuted that does not meet a condition of the file, and said to be on the boundary where
+// that is all that can be told?
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "moivre/certify/certifier.h"
+#include "moivre/polynomial/read.h"
+#include "results.h"
+
+namespace moivre::test {
+namespace {
+
+/// Roots 1 and 2 of plane.json are (2, 1, 1) and (1, 2, 1), 3 and 4 are not real.
+Judgement plane_where(const std::string& conditions, const Json& result = honest("plane")) {
+  System f = system_of_result("plane");
+  f.conditions = read_conditions({"conditions", conditions}, f.variables);
+  return check(f, read_claims({"result", result.dump()}, f.variables));
+}
+
+const ClaimTally* inequalities(const Judgement& judgement) {
+  const auto& claims = judgement.claims;
+  const auto found = std::find_if(claims.begin(), claims.end(), [](const ClaimTally& tally) {
+    return tally.claim == ClaimKind::inequality;
+  });
+  return found == claims.end() ? nullptr : &*found;
+}
+
+TEST(CheckConditions, ARootThatDoesNotMeetOneIsRefutedByItsNumber) {
+  const Judgement judgement = plane_where("x > y");
+  EXPECT_FALSE(refutes(judgement, ClaimKind::inequality, 1)) << lines(judgement.refuted);
+  EXPECT_TRUE(refutes(judgement, ClaimKind::inequality, 2)) << lines(judgement.refuted);
+  EXPECT_NE(lines(judgement.refuted).find("root 2, inequality: does not meet x > y"),
+            std::string::npos);
+}
+
+TEST(CheckConditions, ARootThatIsNotRealMeetsNone) {
+  const Judgement judgement = plane_where("z > -100");
+  EXPECT_TRUE(refutes(judgement, ClaimKind::inequality, 3));
+  EXPECT_TRUE(refutes(judgement, ClaimKind::inequality, 4));
+  EXPECT_EQ(judgement.refuted.size(), 2U) << lines(judgement.refuted);
+}
+
+TEST(CheckConditions, EveryConditionIsJudgedAtEveryRoot) {
+  Json real = honest("plane");
+  real["solutions"].erase(3);
+  real["solutions"].erase(2);
+  const Judgement judgement = plane_where("x > 0; y < 3/2", real);
+  ASSERT_NE(inequalities(judgement), nullptr);
+  EXPECT_EQ(inequalities(judgement)->holds, 3U);
+  EXPECT_EQ(inequalities(judgement)->refuted, 1U);
+  EXPECT_EQ(inequalities(plane_where("")), nullptr) << "a file without conditions claims none";
+}
+
+TEST(CheckConditions, ARationalRootOnTheBoundaryIsDecidedExactly) {
+  const Judgement closed = plane_where("x*y <= 2");
+  EXPECT_FALSE(refutes(closed, ClaimKind::inequality, 1)) << lines(closed.refuted);
+  EXPECT_EQ(inequalities(closed)->holds, 2U);
+  EXPECT_TRUE(refutes(plane_where("x*y < 2"), ClaimKind::inequality, 1));
+}
+
+/// x = sqrt(2), as double has it.
+Judgement root_of_two(const std::string& condition, double accuracy) {
+  System f = read_system({"f", "x^2 - 2;"});
+  f.conditions = read_conditions({"conditions", condition}, f.variables);
+  Claims claims;
+  claims.system = SystemClaim{{"x"}, {2}, 2};
+  RootClaim root;
+  root.path = 0;
+  root.x = {1.4142135623730951};
+  root.real = true;
+  root.accuracy = accuracy;
+  root.singular = false;
+  claims.roots = {root};
+  return check(f, claims);
+}
+
+TEST(CheckConditions, ARootOnTheBoundaryAsFarAsCanBeToldIsSaidSo) {
+  for (const char* condition : {"x^2 <= 2", "x^2 < 2", "x^2 >= 2"}) {
+    const Judgement judgement = root_of_two(condition, 2e-16);
+    EXPECT_FALSE(refutes(judgement, ClaimKind::inequality, 1)) << condition;
+    EXPECT_NE(lines(judgement.open)
+                  .find("root 1, inequality: on the boundary of " + std::string(condition) +
+                        ", as far as the accuracy tells"),
+              std::string::npos)
+        << lines(judgement.open);
+    EXPECT_TRUE(judgement.proofs_hold()) << "no proof is claimed of a condition";
+  }
+}
+
+TEST(CheckConditions, ACertificateTellsMoreThanTheAccuracyThatIsStated) {
+  if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
+  EXPECT_EQ(inequalities(root_of_two("x > 1.4142135", 1e-6))->holds, 1U);
+  EXPECT_TRUE(refutes(root_of_two("x < 1.4142135", 1e-6), ClaimKind::inequality, 1));
+}
+
+TEST(CheckConditions, AClusterIsNotTakenForTheExactRootInIt) {
+  System f = read_system({"f", "(x - 1)^2;"});
+  f.conditions = read_conditions({"conditions", "x >= 1"}, f.variables);
+  Claims claims;
+  claims.system = SystemClaim{{"x"}, {2}, 2};
+  RootClaim root;
+  root.path = 0;
+  root.x = {1.0};
+  root.real = root.singular = root.cluster = true;
+  root.multiplicity = 2;
+  root.accuracy = 1e-7;
+  claims.roots = {root};
+  EXPECT_EQ(inequalities(check(f, claims))->open, 1U);
+  claims.roots[0].cluster = false;
+  EXPECT_EQ(inequalities(check(f, claims))->holds, 1U);
+}
+
+TEST(CheckConditions, AListOfPhcpackKnowsNone) {
+  System f = system_of_result("eco-6");
+  f.conditions = {{unknown(0), true, "x1 > 0"}};
+  const std::string text = result_text("eco-6.out");
+  const std::string list = text.substr(text.rfind("THE SOLUTIONS"));
+  EXPECT_EQ(inequalities(check(f, read_claims({"list", list}, f.variables))), nullptr);
+}
+
+}  // namespace
+}  // namespace moivre::test
