@@ -69,11 +69,14 @@ void judge_bound(const Claims& claims, const StandIn& stand_in, Verdicts& verdic
   if (claims.completeness != "proved") {
     return verdicts.refute(ClaimKind::bound, "said to be met, and completeness not to be proved");
   }
+  // Of roots that are not told it is known how often they count, not how many they are.
   const std::uint64_t roots = roots_counted(claims, *kind);
-  if (roots != value) {
+  if (roots > value || value - roots > claims.left_out) {
+    const std::string untold =
+        claims.left_out > 0 ? " and " + std::to_string(claims.left_out) + " that are not told" : "";
     return verdicts.refute(ClaimKind::bound, "a " + name + " of " + std::to_string(value) +
                                                  " is said to be met, by " +
-                                                 counted(roots, "root"));
+                                                 counted(roots, "root") + untold);
   }
   if (!stand_in.has_all_roots) return;
   const auto is_it = [&kind, value = value](const RootBound& bound) {

@@ -73,9 +73,14 @@ void judge_all_there(const System& f, const Claims& claims, Verdicts& verdicts) 
     return bound.kind == BoundKind::quotient_ring && bound.value;
   });
   const std::uint64_t sum = sum_of_multiplicities(claims);
-  if (!claims.complete || ring == bounds.end() || sum >= *ring->value) return;
+  const std::uint64_t missing =
+      ring == bounds.end() || sum >= *ring->value ? 0 : *ring->value - sum;
+  if (!claims.complete || missing <= claims.left_out) return;
+  const std::string untold =
+      claims.left_out > 0 ? ", and " + std::to_string(claims.left_out) + " are not told" : "";
   const std::string why = "exact algebra counts " + counted(*ring->value, "root") +
-                          " with their multiplicities, these add up to " + std::to_string(sum);
+                          " with their multiplicities, these add up to " + std::to_string(sum) +
+                          untold;
   if (coefficient_errors(f).empty()) return verdicts.refute(ClaimKind::complete, why);
   verdicts.leave_open(ClaimKind::complete,
                       why + "; the digits of the file may not tell the others from infinity");
@@ -232,6 +237,7 @@ Claims divided(const Claims& claims, std::uint64_t sheets, Verdicts& verdicts) {
   }
   if (result.bound && !counts_points(*result.bound)) divide(ClaimKind::bound, result.bound->value);
   if (result.paths) divide(ClaimKind::paths, result.paths->tracked);
+  if (result.left_out > 0) divide(ClaimKind::paths, result.left_out);
   if (!result.start) return result;
   divide(ClaimKind::start, result.start->paths);
   for (auto* count : {&result.start->total_degree, &result.start->multihomogeneous,

@@ -112,6 +112,50 @@ TEST(CheckConditions, AClusterIsNotTakenForTheExactRootInIt) {
   EXPECT_EQ(inequalities(check(f, claims))->holds, 1U);
 }
 
+TEST(CheckConditions, OfTwoRootsAtOneDoubleTheExactOneIsNotTakenForTheOther) {
+  if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
+  System f = read_system({"f", "(x - 1)*(x - 1 - 1e-17);"});
+  f.conditions = read_conditions({"conditions", "x > 1"}, f.variables);
+  Claims claims;
+  claims.system = SystemClaim{{"x"}, {2}, 2};
+  RootClaim root;
+  root.x = {1.0};
+  root.real = true;
+  root.singular = false;
+  root.accuracy = 1e-16;
+  for (const std::uint64_t path : {0U, 1U}) {
+    root.path = path;
+    claims.roots.push_back(root);
+  }
+  const Judgement judgement = check(f, claims);
+  EXPECT_EQ(judgement.roots.distinct, 2U) << lines(judgement.open);
+  EXPECT_EQ(inequalities(judgement)->refuted, 1U) << "1 + 1e-17 meets x > 1";
+}
+
+/// Root 1 of plane.json alone, the three others as not asked for; the bound that all meet is named.
+Json one_of_four() {
+  Json result = honest("plane");
+  while (result["solutions"].size() > 1) result["solutions"].erase(1);
+  result["solutions"][0]["certified"] = true;
+  result["filtered"] = 3;
+  result["completeness"] = "proved";
+  result["bound"] = {{"kind", "total degree"}, {"value", 4}};
+  return result;
+}
+
+TEST(CheckLeftOut, RootsThatWereNotAskedForAreMissingNowhere) {
+  const Judgement judgement = judged("plane", one_of_four());
+  EXPECT_TRUE(judgement.holds()) << lines(judgement.refuted);
+}
+
+TEST(CheckLeftOut, FewerThanExactAlgebraCountsAreRefuted) {
+  Json result = one_of_four();
+  result["filtered"] = 2;
+  const Judgement judgement = judged("plane", result);
+  EXPECT_TRUE(refutes(judgement, ClaimKind::complete)) << lines(judgement.refuted);
+  EXPECT_TRUE(refutes(judgement, ClaimKind::bound)) << lines(judgement.refuted);
+}
+
 TEST(CheckConditions, AListOfPhcpackKnowsNone) {
   System f = system_of_result("eco-6");
   f.conditions = {{unknown(0), true, "x1 > 0"}};

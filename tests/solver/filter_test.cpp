@@ -183,6 +183,40 @@ TEST(FilterConditions, AreDecidedAsFarAsTheAccuracyOfTheRootReaches) {
   }
 }
 
+TEST(FilterConditions, HoldWithinTheAccuracyOfTheRoot) {
+  Solution root;
+  root.x = {1.0, 1000.0};
+  root.real = true;
+  root.accuracy = 1e-3;  // of the largest coordinate: x may be 0 or 2
+  SolveResult result;
+  result.system.variables = {"x", "y"};
+  result.solutions = {root};
+  const Polynomial x = unknown(0);
+  SolveResult closed = result;
+  keep_wanted({.conditions = {{x - Rational(3, 2), false, "x >= 3/2"}}}, closed);
+  ASSERT_EQ(closed.solutions.size(), 1U);
+  EXPECT_EQ(closed.solutions[0].on_boundary.size(), 1U);
+  keep_wanted({.conditions = {{x - 3, false, "x >= 3"}}}, result);
+  EXPECT_TRUE(result.solutions.empty());
+}
+
+TEST(FilterConditions, PointsOfSetsAreKeptWhereTheyMeetThem) {
+  for (const auto& [text, is_kept] : {std::pair{"x > -1", true}, {"x > 1", false}}) {
+    SolveResult result;
+    result.system.variables = {"x"};
+    Solution point;
+    point.x = {0.0};
+    point.real = true;
+    result.on_sets = {point};
+    keep_wanted({.conditions = read_conditions({"condition", text}, {"x"})}, result);
+    EXPECT_EQ(result.on_sets.size(), is_kept ? 1U : 0U) << text;
+    result.on_sets = {point};
+    result.on_sets[0].real = false;
+    keep_wanted({.conditions = read_conditions({"condition", text}, {"x"})}, result);
+    EXPECT_TRUE(result.on_sets.empty()) << text;
+  }
+}
+
 TEST(FilterConditions, OfAClusterHoldWithinItsRadius) {
   Solution cluster;
   cluster.x = {1.0};
