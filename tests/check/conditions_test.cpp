@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is a root refuted that does not meet a condition of the file, and said to be on the boundary where
-// that is all that can be told?
+// Is a root refuted that does not meet a condition of the file, said to be on the boundary where
+// that is all that can be told, and missed nowhere where it was not asked for?
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -19,7 +19,7 @@
 //   bound         its value is the number of the roots, and that of its kind
 //   inequality    every root meets the conditions of the file; open on the boundary, as far as what
 //                 is proved of the root tells
-// A list of PHCpack, which knows no conditions, claims roots, each listed once, and how many there are.
+// A list of PHCpack claims roots, each listed once, and how many there are. It knows no conditions.
 //
 // The judge shares reading, the tape, the certificates and the bounds with the solver, but nothing
 // that follows a path.
