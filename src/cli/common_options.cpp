@@ -14,7 +14,8 @@ namespace moivre {
 void add_file(CLI::App& command, std::string& file) {
   command
       .add_option("FILE", file,
-                  "polynomial system, in PHCpack's or Bertini's text form; - is standard input")
+                  "polynomial system: equations, or another program's text form; - is standard "
+                  "input")
       ->required();
 }
 
@@ -28,8 +29,8 @@ void add_mechanism_file(CLI::App& command, std::string& file) {
 void add_any_file(CLI::App& command, std::string& file) {
   command
       .add_option("FILE", file,
-                  "mechanism or typed equations (.toml), else a polynomial system in PHCpack's or "
-                  "Bertini's text form")
+                  "mechanism or typed equations (.toml), else a polynomial system: equations, or "
+                  "another program's text form")
       ->required();
 }
 

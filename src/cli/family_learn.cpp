@@ -228,8 +228,9 @@ void add_family_learn(CLI::App& family, Chosen& chosen) {
   const auto command = std::make_shared<LearnCommand>();
   CLI::App& app =
       *family.add_subcommand("learn", "Solve a random complex member and keep its roots in a file");
-  app.add_option("FILE", command->file,
-                 "polynomial system, in PHCpack's or Bertini's text form; or a mechanism (.toml)")
+  app.add_option(
+         "FILE", command->file,
+         "polynomial system: equations, or another program's text form; or a mechanism (.toml)")
       ->required();
   app.add_option("--parameters", command->parameters,
                  "names in the file that are parameters, with a typical size if that is not near "

@@ -13,11 +13,15 @@ struct Text {
 };
 
 const std::string kSystemFile =
-    "The file is in the text form of PHCpack or Bertini, which are told apart by what stands in "
-    "it, or a plain list of equations: "
-    "x/(y - 1) = 2, sqrt(2), 2x and # comments are read, too. Numbers are kept exactly as they are "
-    "typed. A faulty file is refused, "
+    "The file is a list of equations, such as x/(y - 1) = 2, with sqrt(2), 2x and # comments, or "
+    "is in the text form of PHCpack, Bertini, msolve or HomotopyContinuation.jl; what stands in it "
+    "tells which. Numbers are kept exactly as they are typed. A faulty file is refused, "
     "and every fault is shown at once with its line and a caret.";
+const std::string kConditions =
+    "A line x > 0 or 0 < x*y <= 2 among the equations is a condition, and --where types one beside "
+    "the file. All roots are looked for, those are told that are real and meet every condition, "
+    "and the others are counted. A root that is on a boundary as far as its digits tell meets <= "
+    "and >=, and not < and >; it is said to be there.";
 const std::string kRoots =
     "Finds all isolated roots of a polynomial system, and tells of each its multiplicity, "
     "residual, accuracy and condition "
@@ -66,7 +70,7 @@ const std::map<std::string, Text> kTexts{
        "processor time."},
       {"moivre-solve", "moivre-closures", "moivre-motion", "moivre-family", "moivre-ledger"}}},
     {"solve",
-     {{kRoots, kSystemFile, kNotSquare,
+     {{kRoots, kSystemFile, kConditions, kNotSquare,
        "The last word on a result is its completeness: proved (there can be no other root), "
        "shown (every path was decided) or open. " +
            kSame,
@@ -138,7 +142,8 @@ const std::map<std::string, Text> kTexts{
     {"check",
      {{"Judges a result of moivre solve, or a solution list of PHCpack, independently of what "
        "made it: certifies every root from the exact "
-       "coefficients, adds up every sum, and compares the counts with proved bounds. Each false "
+       "coefficients, adds up every sum, asks whether every root meets the conditions of the file, "
+       "and compares the counts with proved bounds. Each false "
        "claim is named, and each proof that "
        "cannot be repeated; the exit status is 2 then."},
       {"moivre-solve"}}},

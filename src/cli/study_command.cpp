@@ -13,8 +13,9 @@ void add_study_command(CLI::App& moivre, Chosen& chosen) {
   const auto command = std::make_shared<StudyCommand>();
   CLI::App& app = *moivre.add_subcommand(
       "study", "Measure error against run time, over trackers and tolerances");
-  app.add_option("FILE", command->files,
-                 "mechanisms (.toml), else polynomial systems in PHCpack's or Bertini's text form")
+  app.add_option(
+         "FILE", command->files,
+         "mechanisms (.toml), else polynomial systems: equations, or another program's text form")
       ->required();
   app.add_option("--settings", command->choice.curves,
                  "bdf_projection, bdf and adams, each also with +newton; lanes, also with +cubic "

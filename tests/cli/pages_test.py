@@ -80,6 +80,8 @@ class ManPages(unittest.TestCase):
         self.assertIn("\nmoivre closures four-bar.toml --json - | jq .counts\n", text)
         self.assertIn(".SS Robots (URDF)\n", text)
         self.assertIn("The default is \\fBauto\\fR.", text)
+        self.assertIn("x*y <= 2 among the equations is a condition, and --where",
+                      page("solve").read_text(encoding="utf-8").replace("\\-", "-").replace("\n", " "))
 
     def test_every_page_that_is_named_is_there(self):
         for path in page("").parent.iterdir():
@@ -133,6 +135,7 @@ class Bash(unittest.TestCase):
             both = ["two", "two words.phc"]
             self.assertEqual(sorted(bash_completes("moivre", "solve", "tw", folder=folder)), both)
             self.assertEqual(sorted(bash_completes("moivre", "solve", "--all", "tw", folder=folder)), both)
+            self.assertEqual(sorted(bash_completes("moivre", "solve", "--where", "x > 0", "tw", folder=folder)), both)
             self.assertEqual(sorted(bash_completes("moivre", "ledger", "tw", folder=folder)), both)
             self.assertEqual(sorted(bash_completes("moivre", "check", "two words.phc", "tw", folder=folder)), both)
             self.assertEqual(sorted(bash_completes("moivre", "family", "learn", "x", "-o", "tw", folder=folder)), both)
