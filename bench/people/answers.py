@@ -29,6 +29,15 @@ class Answer:
     seconds: float  # of the processor, user
 
 
+def whole(answer):
+    """What is to be said of an answer before it is looked into; None for one that says, by its exit code and its JSON alike, that it is whole."""
+    if answer.json is None or answer.code not in (0, 2):
+        return Verdict(WRONG, answer.error[:200] or f"exit code {answer.code}")
+    if answer.json.get("complete", answer.code == 0) != (answer.code == 0):
+        return Verdict(WRONG, f"exit code {answer.code}, but complete: {answer.json['complete']}")
+    return Verdict(UNDECIDED, answer.json.get("message") or "exit code 2") if answer.code == 2 else None
+
+
 def ask(program, command, tracker, seed, limit):
     """Runs `program COMMAND...` on one thread; the time limit is of the clock, generously."""
     with tempfile.TemporaryDirectory() as folder:

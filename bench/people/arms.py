@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from answers import RIGHT, UNDECIDED, WRONG, Verdict, worst
+from answers import RIGHT, WRONG, Verdict, whole, worst
 
 _PATH = str(pathlib.Path(__file__).resolve().parent.parent / "robots" / "trial")
 _LOADER = importlib.machinery.SourceFileLoader("robots_trial", _PATH)
@@ -92,6 +92,8 @@ class ArmCase:
         head = re.search(r"<!--(.*?)-->", path.read_text(encoding="utf-8"), re.DOTALL).group(1)
         self.truth = " ".join(re.search(r"Truth: (.*?)\n", head).group(1).split())
         self.holds = re.findall(r"^\s*hold (\S+)", head, re.MULTILINE)
+        counted = re.search(r"(\d+) complex closures", self.truth)
+        self.complex_count = int(counted.group(1)) if counted else None
         self.arm = UrdfArm(path, {name: float(x) for name, x in (hold.split("=") for hold in self.holds)})
         self.rounding = self.arm.rounding
         self.postures = [Posture(np.array([float(x) for x in q.split(",")]), int(dimension or 0)) for q, dimension in
@@ -107,21 +109,22 @@ class ArmCase:
         return worst(verdicts)
 
     def judge_pose(self, posture, target, answer):
-        if answer.code not in (0, 2):
-            return Verdict(WRONG, answer.error)
-        if not answer.json["complete"]:
-            return Verdict(UNDECIDED, answer.json["message"])
+        unsound = whole(answer)
+        if unsound:
+            return unsound
         # A pose typed to few decimals is known to 2 units of the last: places of a set may miss it by so much.
         accuracy = answer.json["accuracy"]
         self.arm.rounding = self.rounding + accuracy
         seen = dict(ABSENT)
-        verdict, _ = robots.look(self.arm, answer.json, posture.q, target, 0, STARTS, random.Random(self.name), seen)
-        moves = [m for m in answer.json["moves"] or [] if not m["within_digits"] or m["misfit"] <= accuracy]
-        dimensions = [m["dimension"] for m in moves]
+        robots.look(self.arm, answer.json, posture.q, target, 0, STARTS, random.Random(self.name), seen)
         if seen["LOST"] or seen["wrong"] or seen["missing"]:
             return Verdict(WRONG, ", ".join(f"{key} {seen[key]}" for key in ("LOST", "wrong", "missing") if seen[key]))
-        if (posture.dimension > 0) != bool(dimensions) or posture.dimension > max(dimensions, default=0):
-            return Verdict(WRONG, f"sets of dimensions {dimensions}, not {posture.dimension}")
-        if verdict == "set" and not robots.on_sets(self.arm, {"moves": moves}, posture.q[None], target, 0)[0]:
-            return Verdict(WRONG, "its own posture only on a set within the digits")
+        counts = answer.json["counts"]
+        if self.complex_count not in (None, counts["complex"]):
+            return Verdict(WRONG, f"{counts['complex']} complex closures, not {self.complex_count}")
+        # What moves within the digits alone is no self-motion of the file's model.
+        moves = [m for m in answer.json["moves"] or [] if not m["within_digits"] or m["misfit"] <= accuracy]
+        here = [m["dimension"] for m in moves if robots.on_sets(self.arm, {"moves": [m]}, posture.q[None], target, 0)[0]]
+        if max(here, default=0) != posture.dimension or (moves and posture.dimension == 0):
+            return Verdict(WRONG, f"its own posture on sets of dimensions {here}, not {posture.dimension}")
         return Verdict(RIGHT, "")

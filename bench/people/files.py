@@ -6,7 +6,7 @@ import pathlib
 import tempfile
 from decimal import Decimal
 
-from answers import RIGHT, UNDECIDED, WRONG, Verdict, worst
+from answers import RIGHT, UNDECIDED, WRONG, Verdict, whole, worst
 
 CASES = {}
 
@@ -20,11 +20,10 @@ def case(file, truth):
 
 
 def compare(answer, *facts):
-    """Facts are pairs: whether it is so, and what is said if it is not. Nothing is wrong with an answer that says it is not whole."""
-    if answer.json is None or answer.code not in (0, 2):
-        return Verdict(WRONG, answer.error[:200])
-    if answer.code == 2:
-        return Verdict(UNDECIDED, answer.json.get("message", "exit code 2"))
+    """Facts are pairs: whether it is so, and what is said if it is not."""
+    unsound = whole(answer)
+    if unsound:
+        return unsound
     failed = [said for holds, said in facts if not holds]
     return Verdict(WRONG, "; ".join(failed)) if failed else Verdict(RIGHT, "")
 
@@ -35,6 +34,14 @@ def counted(answer, complex_count, real_count, moves=False):
             (bool((answer.json or {}).get("moves")) == moves, "moves" if not moves else "does not move")]
 
 
+# A drawing's lengths are rounded: its closure, in radians and the unit of length, is so near the coordinates 0 of the drawing.
+DRAWN = 0.05
+
+
+def is_drawn(closures):
+    return len(closures) == 1 and all(abs(x) < DRAWN for x in closures[0]["coordinates"].values())
+
+
 def near(a, b, within=1e-6):
     return abs(a - b) <= within * max(1, abs(b))
 
@@ -43,9 +50,10 @@ def near(a, b, within=1e-6):
 def actuator(ask, file):
     answer = ask("motion", file, "--columns", "coefficients,advantage")
     branches = (answer.json or {}).get("branches", [])
-    first = [b["samples"][0]["columns"] for b in branches]
+    first = sorted(b["samples"][0]["columns"] for b in branches)
     return compare(answer, (len(branches) == 2, f"{len(branches)} branches"),
-                   (all(near(abs(c[0]), 1.4368424) and near(c[2], 1) and near(abs(c[4]), 1 / 1.4368424) for c in first), f"columns {first}"))
+                   (len(first) == 2 and all(near(c[0], s * 1.4368424) and near(c[2], 1) and near(c[4], 1 / 1.4368424)
+                                             for s, c in zip((-1, 1), first)), f"columns {first}"))
 
 
 @case("burmester-5-moves.toml", "4 closures, all real; nothing moves")
@@ -60,7 +68,7 @@ def cardan(ask, file):
     return compare(answer, *counted(answer, 2, 2))
 
 
-@case("delta-maryland.toml", "not known; decided")
+@case("delta-maryland.toml", "not known: only whether it is decided is judged")
 def delta(ask, file):
     answer = ask("closures", file)
     return compare(answer)
@@ -71,12 +79,12 @@ def fit(ask, file):
     verdicts = []
     for time in ("0", "0.1", "0.2"):
         answer = ask("closures", file, "--fit", "0.05", "--at", time)
-        closures = [c for c in (answer.json or {}).get("closures", []) if c["fitted"] and c["misfit"] < 0.0061]
+        closures = [c for c in (answer.json or {}).get("closures", []) if c["fitted"] and c["misfit"] <= 0.05]
         drawn = [c for c in closures if c["drawn"] and near(c["misfit"], 0.0043, 1e-4)]
         verdicts.append(compare(answer, (closures, f"none at {time}"), (drawn or time != "0", "not the drawn one")))
-    motion = ask("motion", file, "--fit", "0.05", "--to", "0.3")
+    motion = ask("motion", file, "--fit", "0.05")
     branches = (motion.json or {}).get("branches", [])
-    verdicts.append(compare(motion, (any(b["begins"] == 0 and near(b["ends"], 0.3) for b in branches), "motion has no branch from there")))
+    verdicts.append(compare(motion, (any(b["begins"] == 0 for b in branches), "motion has no branch from there")))
     return worst(verdicts)
 
 
@@ -103,11 +111,11 @@ def hexapod(ask, file):
 def jansen(ask, file):
     answer = ask("closures", file)
     drawn = [c for c in (answer.json or {}).get("closures", []) if c["drawn"]]
-    verdicts = [compare(answer, *counted(answer, 64, 64), (len(drawn) == 1 and max(map(abs, drawn[0]["coordinates"].values())) < 0.05, "drawn"))]
+    verdicts = [compare(answer, *counted(answer, 64, 64), (is_drawn(drawn), "the drawn pose is not listed"))]
     for name in ("drawn", *(n for c in drawn for n in (c["id"], ".".join(c["of"])))):
         motion = ask("motion", file, "--closure", name, "--steps", "4")
         first = [s["samples"][0]["coordinates"] for s in branches_of(motion.json)]
-        verdicts.append(compare(motion, (first and max(abs(x) for c in first for x in c.values()) < 0.05, f"--closure {name} is another pose")))
+        verdicts.append(compare(motion, (first and max(abs(x) for c in first for x in c.values()) < DRAWN, f"--closure {name} is another pose")))
     return worst(verdicts)
 
 
@@ -133,10 +141,11 @@ def scissor(ask, file):
 def strandbeest(ask, file):
     answer = ask("closures", file)
     drawn = [c for c in (answer.json or {}).get("closures", []) if c["drawn"]]
-    verdicts = [compare(answer, *counted(answer, 4096, 3072), (len(drawn) == 1, "the drawn pose is not listed"))]
+    verdicts = [compare(answer, *counted(answer, 4096, 3072), (is_drawn(drawn), "the drawn pose is not listed"))]
     for one in drawn:
         motion = ask("motion", file, "--closure", ".".join(one["of"]), "--steps", "4")
-        verdicts.append(compare(motion, (branches_of(motion.json), "no branch")))
+        first = [b["samples"][0]["coordinates"].values() for b in branches_of(motion.json)]
+        verdicts.append(compare(motion, (first and all(abs(x) < DRAWN for values in first for x in values), "its name is another pose")))
     return worst(verdicts)
 
 
@@ -176,8 +185,8 @@ def walschaerts(ask, file):
     return verdict
 
 
-def solved(answer, simple, real=None, multiple=None, digits=None):
-    """Facts of roots: how many are simple, how many of those are real, how many have which multiplicity, and real ones by their text."""
+def solved(answer, simple, real=None, multiple=None):
+    """Facts of roots: how many are simple, how many of those are real, and how many have which multiplicity."""
     told = answer.json or {"solutions": []}
     roots = told["solutions"]
     regular = [r for r in roots if not r["singular"]]
@@ -219,7 +228,9 @@ def family(ask, file):
 @case("refused-msolve358.phc", "three simple real roots, 1.144, -0.437 and 7e-211")
 def refused(ask, file):
     answer = ask("solve", file)
-    return compare(answer, *solved(answer, 3, 3))
+    values = sorted(r["values"]["y"][0] for r in (answer.json or {}).get("solutions", []))
+    truth = (-0.437, 7e-211, 1.144)
+    return compare(answer, *solved(answer, 3, 3), (len(values) == 3 and all(abs(a / b - 1) < 0.1 for a, b in zip(values, truth)), f"roots {values}"))
 
 
 @case("slow-powerflow9-rect.phc", "768 roots, 8 of them real")
@@ -249,7 +260,7 @@ def quadratic(ask, file):
 @case("usability-line-not-told-hc408.phc", "54 isolated roots, and a line that is told")
 def line(ask, file):
     answer = ask("solve", file)
-    return compare(answer, *solved(answer, 54), ("positive dimension" in answer.text or (answer.json or {}).get("on_sets"), "the line is not told"))
+    return compare(answer, *solved(answer, 54), ((answer.json or {}).get("on_sets"), "the line is not told"))
 
 
 @case("usability-no-point-hc406.phc", "no isolated root; a curve, points of which are told")
