@@ -26,13 +26,13 @@ std::string value_text(const ArmJoint& joint, double value, bool in_degrees) {
   return text;
 }
 
-std::string values_text(const Arm& arm, const ArmClosure& closure, bool in_degrees) {
+std::string values_text(const Arm& arm, const Eigen::VectorXd& values,
+                        const std::vector<std::size_t>& beyond, bool in_degrees) {
   std::string text;
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
-    const bool is_beyond =
-        std::find(closure.beyond.begin(), closure.beyond.end(), k) != closure.beyond.end();
+    const bool is_beyond = std::find(beyond.begin(), beyond.end(), k) != beyond.end();
     text += (k == 0 ? "" : " ") +
-            value_text(arm.joints[k], closure.in_limits[static_cast<Eigen::Index>(k)], in_degrees) +
+            value_text(arm.joints[k], values[static_cast<Eigen::Index>(k)], in_degrees) +
             (is_beyond ? "!" : "");
   }
   return text;
@@ -44,8 +44,16 @@ Panel panel_of(const Arm& arm, const Skeleton& skeleton, const ArmClosure& closu
               skeleton_pose(skeleton, arm, closure.values)};
   const std::string posture = to_string(posture_of(arm, closure.values));
   if (!posture.empty()) panel.notes.push_back(posture);
-  panel.notes.push_back(values_text(arm, closure, in_degrees));
+  panel.notes.push_back(values_text(arm, closure.in_limits, closure.beyond, in_degrees));
   return panel;
+}
+
+/// Of a set one posture is drawn.
+Panel panel_of(const Arm& arm, const Skeleton& skeleton, const SelfMotion& set, bool in_degrees) {
+  return {set.within_digits ? "moves within the digits, from here" : "moves, from here",
+          skeleton_pose(skeleton, arm, set.values),
+          false,
+          {values_text(arm, set.values, {}, in_degrees)}};
 }
 
 std::string summary(const Arm& arm, const ArmResult& result, bool in_degrees) {
@@ -87,14 +95,14 @@ Scene scene_of(const ArmReport& report, bool in_degrees) {
   for (const ArmClosure& closure : result.closures) {
     sheet.panels.push_back(panel_of(arm, scene.skeleton, closure, in_degrees));
   }
+  for (const SelfMotion& set : result.moves) {
+    sheet.panels.push_back(panel_of(arm, scene.skeleton, set, in_degrees));
+  }
   if (sheet.panels.empty()) {
-    const Eigen::VectorXd values =
-        result.moves.empty() ? Eigen::VectorXd::Zero(static_cast<Eigen::Index>(arm.joints.size()))
-                             : result.moves.front().values;
-    const std::string caption =
-        result.moves.empty() ? "no closure: all joints at 0" : "moves, from here";
+    const Eigen::VectorXd zero =
+        Eigen::VectorXd::Zero(static_cast<Eigen::Index>(arm.joints.size()));
     sheet.panels.push_back(
-        {caption, skeleton_pose(scene.skeleton, arm, values), result.moves.empty()});
+        {"no closure: all joints at 0", skeleton_pose(scene.skeleton, arm, zero), true});
   }
   std::vector<Eigen::VectorXd> poses;
   for (const Panel& panel : sheet.panels) poses.push_back(panel.q);

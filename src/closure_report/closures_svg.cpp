@@ -23,6 +23,7 @@ std::string summary(const ClosureResult& result, const Mechanism& mechanism) {
   if (result.counts.filtered > 0) {
     text += " (" + std::to_string(result.counts.filtered) + " outside a joint's limits)";
   }
+  text += fitted_text(result.counts);
   const std::string drivers = drivers_text(mechanism, result.time);
   if (!drivers.empty()) text += "; " + drivers;
   if (result.time != 0) text += ", t = " + short_text(result.time) + " s";

@@ -50,7 +50,7 @@ std::string answer(const ClosureResult& result) {
   if (result.counts.filtered > 0) {
     text += ", " + std::to_string(result.counts.filtered) + " outside a joint's limits";
   }
-  if (result.counts.fitted > 0) text += ", " + std::to_string(result.counts.fitted) + " within fit";
+  text += fitted_text(result.counts);
   if (result.counts.rejected > 0) {
     text += "; " + counted(result.counts.rejected, "root") + " failed the redundant equations";
   }
@@ -141,7 +141,7 @@ std::string sub_chains_text(const ClosureResult& result) {
   for (std::size_t k = 0; k < result.sub_chains.size(); ++k) {
     const SubChain& part = result.sub_chains[k];
     text += "\nsub-chain " + std::to_string(k + 1) + ", " + joined(part.chain.bodies, ", ") + ": " +
-            counts_text(part.counts) + '\n';
+            counts_text(part.counts) + fitted_text(part.counts) + '\n';
     const std::vector<Coordinate> names = coordinates(part.chain.mechanism);
     for (const Closure& closure : part.closures) {
       text += closure_text(closure, sub_chain_name(k, closure.id), part.chain.mechanism, names);

@@ -93,9 +93,7 @@ std::string checkpoints_text(const std::vector<Checkpoint>& all, const Mechanism
                 ? "checkpoint " + moving_place(mechanism, first.time)
                 : counted(next - k, "checkpoint") + ' ' + moving_place(mechanism, first.time) +
                       " .. " + moving_place(mechanism, all[next - 1].time);
-    text += ": " + counts_text(first.counts) +
-            (first.counts.fitted > 0 ? ", " + std::to_string(first.counts.fitted) + " within fit"
-                                     : "") +
+    text += ": " + counts_text(first.counts) + fitted_text(first.counts) +
             (ids.empty() ? "" : " (" + id_list(ids) + ")") + "; " + verdict_text(first) + '\n';
   }
   return text;

@@ -412,7 +412,8 @@ std::string motion_html(const MotionResult& result, const Mechanism& mechanism,
   page.summary = counted(result.branches.size(), "branch", "branches") +
                  " from t = " + short_text(result.from) + " s to " + short_text(result.to) + " s";
   if (!result.checkpoints.empty()) {
-    page.summary += "; at first " + counts_text(result.checkpoints.front().counts);
+    page.summary += "; at first " + counts_text(result.checkpoints.front().counts) +
+                    fitted_text(result.checkpoints.front().counts);
   }
   page.summary += "; " + result.message;
   page.from = result.from;
@@ -436,7 +437,8 @@ std::string motion_html(const MotionResult& result, const Mechanism& mechanism,
 
 std::string closures_html(const ClosureResult& result, const Mechanism& mechanism,
                           const std::string& file) {
-  const std::string summary = counts_text(result.counts) + "; " + result.message;
+  const std::string summary =
+      counts_text(result.counts) + fitted_text(result.counts) + "; " + result.message;
   if (mechanism.space == Space::spatial) {
     Sheet sheet{picture_title(mechanism, file), summary, {}};
     sheet.view.has_arrows = true;

@@ -68,6 +68,10 @@ std::string counts_text(const ClosureCounts& counts) {
   return counted(counts.complex, "complex closure") + ", " + std::to_string(counts.real) + " real";
 }
 
+std::string fitted_text(const ClosureCounts& counts) {
+  return counts.fitted == 0 ? "" : ", " + std::to_string(counts.fitted) + " within fit";
+}
+
 std::string warnings_text(const Mechanism& mechanism) {
   std::string text;
   for (const std::string& warning : mechanism.warnings) text += "warning: " + warning + '\n';

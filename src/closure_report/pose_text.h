@@ -33,4 +33,7 @@ std::string moving_drivers_text(const Mechanism& mechanism, double time);
 /// "8 complex closures, 4 real".
 std::string counts_text(const ClosureCounts& counts);
 
+/// ", 1 within fit", to follow it; empty where none is.
+std::string fitted_text(const ClosureCounts& counts);
+
 }  // namespace moivre

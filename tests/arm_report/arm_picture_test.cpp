@@ -45,6 +45,21 @@ TEST(ArmPictureTest, EveryClosureHasAPanelInBothForms) {
   }
 }
 
+// A UR5 with a straight wrist moves, and has closures that stand alone.
+TEST(ArmPictureTest, EverySetHasAPanelBesideTheClosures) {
+  ArmReport report{"arm.urdf", arm_of("ur5", "tool0"), {}};
+  const Eigen::VectorXd own{{0.3, -1.0, 1.2, 0.4, 0, 0.7}};
+  report.results.push_back(
+      find_arm_closures(report.arm, forward_kinematics(report.arm, own), lanes(), one_thread()));
+  const ArmResult& result = report.results.front();
+  ASSERT_FALSE(result.moves.empty());
+  ASSERT_FALSE(result.closures.empty());
+  const std::string svg = arm_svg(report, false);
+  EXPECT_EQ(count(svg, "class=\"panel\""), result.closures.size() + result.moves.size());
+  EXPECT_EQ(count(svg, "moves, from here") + count(svg, "moves within the digits, from here"),
+            result.moves.size());
+}
+
 TEST(ArmPictureTest, TheSkeletonEndsWhereTheToolIs) {
   for (const Arm& arm : arms()) {
     const Skeleton skeleton = make_skeleton(arm);

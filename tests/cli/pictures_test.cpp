@@ -30,6 +30,17 @@ TEST(Pictures, OfClosuresOnStandardOutputStandAlone) {
   EXPECT_FALSE(contains(outcome.out, "closure A"));
 }
 
+TEST(Pictures, CountWhatClosesWithinFit) {
+  const Scene scene;
+  const std::string bars = MOIVRE_SOURCE_DIR "/problems/people/fit-not-assembled.toml";
+  const Outcome outcome = scene.run(
+      {"closures", bars, "--fit", "0.05", "--svg", "closures.svg", "--html", "closures.html"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* file : {"closures.svg", "closures.html"}) {
+    EXPECT_TRUE(contains(scene.read(file), "0 complex closures, 0 real, 1 within fit")) << file;
+  }
+}
+
 /// A slider-crank drawn with the slider on the right: closure A has it on the left.
 constexpr const char* kDrawnSliderCrank = R"([units]
 angle = "deg"
