@@ -26,7 +26,7 @@ bool set_integers(const Polynomial& p, FlintPolynomial& result) {
   for (const Term& term : p.terms) {
     const Integer c = numerator(term.coefficient.re) * (common / denominator(term.coefficient.re));
     bits += bit_length(c);
-    if (bits > kMostIsolatedBits) return false;
+    if (bits > kMostIsolatedBits || degree(term.monomial) > kMostWrittenDegree) return false;
     result.set(degree(term.monomial), c);
   }
   return true;

@@ -3,7 +3,9 @@
 // gives.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "big_complex.h"
@@ -51,6 +53,8 @@ class BigNewton {
 
   /// |x - x*|_2 for the x and dx of the last correction; nullopt where they prove nothing.
   std::optional<Real> bound(const std::vector<Number>& x, const std::vector<Number>& dx) {
+    const double degree = *std::max_element(norms_.degree.begin(), norms_.degree.end());
+    if (degree > kLargestDegree) return std::nullopt;
     const std::vector<Real> rounding = evaluation_errors(x);
     Real size(1);
     for (const Number& xi : x) size += norm(xi);
@@ -71,7 +75,6 @@ class BigNewton {
     }
     Real beta = lost;
     beta += sqrt(squared_norm(dx));
-    const double degree = *std::max_element(norms_.degree.begin(), norms_.degree.end());
     Real mu = sqrt(Real(static_cast<double>(n_)) * weighted);
     if (mu < 1) mu = 1;
     const Real gamma = mu * (degree * std::sqrt(degree) / 2) / size;
@@ -82,6 +85,8 @@ class BigNewton {
  private:
   // Below (13 - 3 sqrt 17) / 4 = 0.15767...
   static constexpr double kLargestAlpha = 0.157;
+  // Powers of more than an int are not taken.
+  static constexpr double kLargestDegree = std::numeric_limits<int>::max();
   // Roundings of one complex product, in units of the last place.
   static constexpr double kProductError = 4;
 

@@ -61,6 +61,12 @@ TEST(IsolatedRoots, AreNotToldOfComplexCoefficients) {
 }
 
 // The simple roots of a factor of degree 260 are counted, the multiple ones isolated.
+TEST(IsolatedRoots, OfADegreeThatNoMemoryHoldsAreNotTold) {
+  Polynomial p = pow(unknown(0), 2) - 1;
+  p.terms[0].monomial = {{0, 4'294'967'295U}};
+  EXPECT_FALSE(isolated_roots(p, 64).has_value());
+}
+
 TEST(IsolatedRoots, OfLargeFactorsAreCounted) {
   const auto isolated = isolated_roots(
       read_system({"test", "1\n(x^3 - x - 1)^2*(x^260 - 3);\n"}).polynomials.front(), 256);

@@ -20,6 +20,7 @@
 #include "moivre/closures/closures.h"
 #include "moivre/family/learn.h"
 #include "moivre/family/member_table.h"
+#include "moivre/family/member.h"
 #include "moivre/family/parameter_homotopy.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/kinematics/own_newton.h"

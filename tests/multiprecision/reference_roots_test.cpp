@@ -183,6 +183,14 @@ TEST(ReferenceRoots, RefuseDigitsOfASingularRoot) {
   }
 }
 
+TEST(ReferenceRoots, OfDegreesBeyondAnIntAreNotProved) {
+  const System f = make_system({"x"}, {pow(unknown(0), 2) - 1});
+  System steep = f;
+  steep.polynomials[0].terms[0].monomial = {{0, 4'294'967'295U}};
+  EXPECT_TRUE(reference_roots(f, {{1.0}}, 20)[0].converged);
+  EXPECT_FALSE(reference_roots(steep, {{1.0}}, 20)[0].converged);
+}
+
 TEST(ReferenceRoots, DoNotDependOnTheNumberOfThreads) {
   const System f = file("katsura-5.phc");
   std::vector<Point> approximations(7, Point(f.variables.size(), Complex(0.1, 0.2)));

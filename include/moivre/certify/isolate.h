@@ -23,6 +23,8 @@
 
 namespace moivre {
 
+/// Of p, which is written out with a coefficient for each power.
+inline constexpr std::uint64_t kMostWrittenDegree = 1'000'000;
 /// Of a squarefree factor, a second or two; and bits of all coefficients together.
 inline constexpr std::uint64_t kMostIsolatedDegree = 128;
 inline constexpr std::uint64_t kMostIsolatedBits = 1'000'000;
