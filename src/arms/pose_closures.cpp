@@ -67,10 +67,9 @@ std::string number_text(double x) {
   return text;
 }
 
-/// Not only within the digits.
+/// Not only within digits.
 bool can_move(const PostureList& list) {
-  return std::any_of(list.moves.begin(), list.moves.end(),
-                     [](const SelfMotion& set) { return !set.within_digits; });
+  return std::any_of(list.moves.begin(), list.moves.end(), is_exact);
 }
 
 std::string message_of(const Arm& arm, const PostureList& list, const ArmResult& result) {
@@ -79,6 +78,10 @@ std::string message_of(const Arm& arm, const PostureList& list, const ArmResult&
                                   : result.message;
   }
   if (can_move(list)) return "the joints can move while the tip stands";
+  const auto is_by_pose = [](const SelfMotion& set) { return !set.within_digits; };
+  if (std::any_of(list.moves.begin(), list.moves.end(), is_by_pose)) {
+    return "within the accuracy of the pose the joints can move while the tip stands";
+  }
   if (!list.moves.empty()) {
     return "within the digits of the file's numbers the joints can move while the tip stands";
   }

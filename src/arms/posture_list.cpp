@@ -25,10 +25,11 @@ constexpr double kReachesFar = 0.05;
 /// By how much a tip that stands may seem to move.
 constexpr double kRounding = 1e-12;
 
-/// What a pose typed with all digits leaves open is rounding alone.
-double of_pose(const PostureList& list) {
-  return list.accuracy > kReach ? list.accuracy : kRounding;
-}
+/// By how much the tip may miss the pose, as its digits and those of the file leave it open.
+double by_digits(const PostureList& list) { return list.accuracy + list.arm.rounding; }
+
+/// Rounding is all that is left open where file and pose are typed with all digits.
+bool has_digits(const PostureList& list) { return by_digits(list) > kReach; }
 
 /// What rounding moves a closure by, along a direction of this singular value: forward kinematics
 /// is wrong by some units of the last bit for each joint, and where k closures meet Newton's step
@@ -96,7 +97,7 @@ std::optional<std::size_t> listed(const PostureList& list, const ArmClosure& clo
 std::optional<std::size_t> set_of(const PostureList& list, const Eigen::VectorXd& values,
                                   bool is_exact) {
   for (std::size_t k = 0; k < list.moves.size(); ++k) {
-    if (is_exact && list.moves[k].misfit > of_pose(list)) continue;
+    if (is_exact && list.moves[k].misfit > kRounding) continue;
     if (is_on(list.arm, list.moves[k], values, kOnSet)) return k;
   }
   return std::nullopt;
@@ -109,28 +110,26 @@ void enter_near(PostureList& list, const TracedSet& traced) {
   list.follows_digits = true;
 }
 
-/// A curve of postures ends nowhere: one that does, where it misses a pose of all digits by more
-/// than it did, is there within the file's only.
-bool ends(const PostureList& list, const SelfMotion& motion) {
+/// A curve of postures ends nowhere: one that does, where it misses the pose by more than it did,
+/// is there within the digits only.
+bool ends(const SelfMotion& motion) {
   constexpr double kRoundingShare = 0.1;
-  return list.accuracy <= kReach && motion.dimension == 1 && !motion.closes &&
-         motion.misfit > kRoundingShare * of_pose(list);
+  return motion.dimension == 1 && !motion.closes && motion.misfit > kRoundingShare * kRounding;
 }
 
-/// Adds the set through the posture that the accuracy, or the digits, leave open; its number where
-/// the pose's accuracy does.
+/// Adds the set through the posture, its number where it is one of the pose and the file as typed.
 std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure) {
   const double sigma = closure.smallest_singular_value;
-  for (const double accuracy : {of_pose(list), list.accuracy + list.arm.rounding}) {
-    const bool is_by_digits = accuracy > of_pose(list);
-    if (is_by_digits && (list.arm.rounding == 0 || !list.follows_digits)) continue;
+  for (const double accuracy : {kRounding, by_digits(list)}) {
+    const bool is_by_digits = accuracy > kRounding;
+    if (is_by_digits && (!has_digits(list) || !list.follows_digits)) continue;
     if (sigma > std::max(is_by_digits ? 0 : kStandsAlone, accuracy / kReachesFar)) continue;
     if (is_by_digits && set_of(list, closure.values, false)) return std::nullopt;
     auto traced = trace_set(list.arm, list.pose, closure.values, accuracy, list.seed);
     if (!traced) continue;
-    const bool is_beyond_rounding = traced->motion.misfit > of_pose(list);
+    const bool is_beyond_rounding = traced->motion.misfit > kRounding;
     traced->motion.within_digits = (is_by_digits && traced->motion.misfit > list.accuracy) ||
-                                   (list.arm.rounding > 0 && ends(list, traced->motion));
+                                   (has_digits(list) && ends(traced->motion));
     // Where sets meet the posture may not be known well enough to be seen on one that is there.
     if (const auto same = set_of(list, traced->motion.values, true)) return same;
     list.moves.push_back(std::move(traced->motion));
@@ -145,9 +144,8 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
 /// along that set in steps that are too long.
 /// Followed, the set shows where they are.
 void follow_digits(PostureList& list, const Eigen::VectorXd& place) {
-  const double accuracy = list.accuracy + list.arm.rounding;
-  if (list.arm.rounding == 0 || !list.follows_digits || set_of(list, place, false)) return;
-  auto traced = trace_set(list.arm, list.pose, place, accuracy, list.seed);
+  if (!has_digits(list) || !list.follows_digits || set_of(list, place, false)) return;
+  auto traced = trace_set(list.arm, list.pose, place, by_digits(list), list.seed);
   if (!traced || set_of(list, traced->motion.values, false)) return;
   traced->motion.within_digits = traced->motion.misfit > list.accuracy;
   list.moves.push_back(std::move(traced->motion));
@@ -155,6 +153,8 @@ void follow_digits(PostureList& list, const Eigen::VectorXd& place) {
 }
 
 }  // namespace
+
+bool is_exact(const SelfMotion& set) { return !set.within_digits && set.misfit <= kReach; }
 
 bool is_simple(const ArmClosure& closure) {
   // Closures that meet are this near to each other, in their singular values, as rounding lets them
@@ -213,9 +213,9 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
   // the digits leave open.
   constexpr std::size_t kSix = 6;
   const bool has_six = list.arm.joints.size() >= kSix;
-  if (!(polished.residual <= (has_six ? of_pose(list) : list.accuracy + list.arm.rounding))) {
+  if (!(polished.residual <= (has_six ? kRounding : by_digits(list)))) {
     if (polished.residual <= list.accuracy) list.places.push_back(polished.values);
-    if (has_six && polished.residual <= list.accuracy + list.arm.rounding) {
+    if (has_six && polished.residual <= by_digits(list)) {
       follow_digits(list, polished.values);
     }
     return entry;

@@ -6,7 +6,8 @@
 // six) on the product of transforms, as typed. It is entered if it misses the pose by no more than
 // the pose is accurate; marked where only the digits of the file's numbers explain the rest.
 // A posture whose smallest singular value is small is followed (self_motion.h): it may belong to a
-// set. Postures of a set are not listed as closures, unless it is a set within the digits only.
+// set. Postures of a set are not listed as closures, unless the digits of the pose or of the file
+// are all that holds the set open.
 #pragma once
 
 #include <optional>
@@ -38,6 +39,10 @@ struct PostureEntry {
   bool is_new = false;
   double moved = 0;  ///< from the start, radians or arm's lengths
 };
+
+/// Of the pose and the file as typed, not one that their digits leave open: there are no closures
+/// on it.
+bool is_exact(const SelfMotion& set);
 
 /// It stands alone, whatever is asked: Newton's method converges to it, and one path leads there.
 bool is_simple(const ArmClosure& closure);

@@ -57,18 +57,18 @@ std::optional<std::size_t> closure_of(const SingularEnd& end, const PostureList&
   return nearest;
 }
 
-bool is_at_set(const SingularEnd& end, const PostureList& list, bool within_digits) {
+bool is_at_set(const SingularEnd& end, const PostureList& list, bool of_exact_ones) {
   return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
-    return set.within_digits == within_digits && is_on(list.arm, set, end.values, kNear);
+    return is_exact(set) == of_exact_ones && is_on(list.arm, set, end.values, kNear);
   });
 }
 
-/// Whether the end is at a set or a closure that is listed. On a set that is there within the
-/// digits only, the arm as typed has closures.
+/// Whether the end is at a set or a closure that is listed. On a set that is there within digits
+/// only, the arm as typed has closures.
 bool is_at_listed(const SingularEnd& end, PostureList& list, PathsSeen& seen, ArmResult& result) {
-  if (is_at_set(end, list, false)) return true;
+  if (is_at_set(end, list, true)) return true;
   const auto at = closure_of(end, list, seen);
-  if (!at) return is_at_set(end, list, true);
+  if (!at) return is_at_set(end, list, false);
   ArmClosure& closure = list.closures[*at];
   closure.multiplicity = std::max(closure.multiplicity, ++seen.paths_to[*at]);
   closure.singular = !is_simple(closure);
@@ -76,10 +76,15 @@ bool is_at_listed(const SingularEnd& end, PostureList& list, PathsSeen& seen, Ar
   return true;
 }
 
-bool hold_between(const PostureList& list, const ArmClosure& closure,
+/// The pose is held on the way from what is listed to a place.
+bool hold_between(const PostureList& list, const Eigen::VectorXd& values,
                   const Eigen::VectorXd& place) {
-  const Eigen::VectorXd way = way_between(list.arm, closure.values, place);
-  const SetPlace from = place_at(list.arm, list.pose, closure.values);
+  constexpr double kLongestWay = 0.3;
+  const double away = distance(list.arm, values, place);
+  if (away <= kNear) return true;
+  if (away > kLongestWay) return false;
+  const Eigen::VectorXd way = way_between(list.arm, values, place);
+  const SetPlace from = place_at(list.arm, list.pose, values);
   return leads_to(list.arm, list.pose, from, way, list.accuracy);
 }
 
@@ -91,6 +96,8 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
   const SixJoints& six = beginning.six;
   const bool has_all_joints = six.own.size() == kSixJoints;
   const double accuracy = list.accuracy + list.arm.rounding;
+  // What a pose leaves open may be as large as a pair is far from real.
+  const bool is_coarse = list.accuracy > kReach;
   bool are_read = true;
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const ApproachEnd& end = ends[k];
@@ -104,7 +111,8 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
     }
     const bool counts = added_size(beginning, end) <= kMargin * accuracy;
     const std::size_t places = list.places.size();
-    const PostureEntry entry = imaginary > kNearlyReal ? PostureEntry{} : enter(list, start, false);
+    const PostureEntry entry =
+        is_coarse || imaginary <= kNearlyReal ? enter(list, start, false) : PostureEntry{};
     if (entry.kind == PostureEntry::Kind::closure && entry.moved <= kFarthest) {
       ArmClosure& closure = list.closures[entry.index];
       // An end elsewhere may have led here before: that was no path of this closure.
@@ -128,7 +136,7 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
 // missed by y s / 2 at the least; where an added joint stands at x, by s x.
 bool read_found(const ArmBeginning& beginning, const FoundClosures& found, PostureList& list,
                 ArmResult& result) {
-  constexpr double kNearlyReal = 0.1, kClearly = 8, kMargin = 10;
+  constexpr double kClearly = 8, kMargin = 10;
   const SixJoints& six = beginning.six;
   const bool has_all_joints = six.own.size() == kSixJoints;
   const double accuracy = list.accuracy + list.arm.rounding;
@@ -137,7 +145,7 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
     return values.tail(values.size() - std::ssize(six.own)).cwiseAbs().sum();
   };
   for (const ConjugatePair& pair : found.pairs) {
-    if (pair.imaginary <= kNearlyReal && pair.imaginary * pair.stiffness <= clear) return false;
+    if (pair.imaginary * pair.stiffness <= clear) return false;
   }
   std::vector<const Polished*> own;
   for (const Polished& real : found.real) {
@@ -185,13 +193,16 @@ bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, Ar
 }
 
 bool is_listed(const PostureList& list, const Eigen::VectorXd& place) {
-  constexpr double kLongestWay = 0.3;
+  const auto is_near = [&](const Eigen::VectorXd& values) {
+    return hold_between(list, values, place);
+  };
   return std::any_of(list.moves.begin(), list.moves.end(),
-                     [&](const SelfMotion& set) { return is_on(list.arm, set, place, kNear); }) ||
-         std::any_of(list.closures.begin(), list.closures.end(), [&](const ArmClosure& closure) {
-           const double away = distance(list.arm, closure.values, place);
-           return away <= kNear || (away <= kLongestWay && hold_between(list, closure, place));
-         });
+                     [&](const SelfMotion& set) {
+                       return is_on(list.arm, set, place, kNear) ||
+                              std::any_of(set.samples.begin(), set.samples.end(), is_near);
+                     }) ||
+         std::any_of(list.closures.begin(), list.closures.end(),
+                     [&](const ArmClosure& closure) { return is_near(closure.values); });
 }
 
 }  // namespace moivre

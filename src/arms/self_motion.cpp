@@ -263,13 +263,49 @@ void trace_surface(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin
   }
 }
 
+double reach_of(const Arm& arm, const std::vector<VectorXd>& samples) {
+  double reached = 0;
+  for (const VectorXd& sample : samples) {
+    reached = std::max(reached, apart(arm, sample, samples.front()));
+  }
+  return reached;
+}
+
+/// An accuracy lets the tip stand along many directions for a little; of the set are those that it
+/// goes on in, from the weakest.
+MatrixXd far_reaching(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
+                      double accuracy, double step) {
+  constexpr int kSteps = 8;
+  const MatrixXd screws = linearized(arm, pose, begin.place.values).screws;
+  const MatrixXd ways = begin.ways * svd(screws * begin.ways, SingularVectors::full).V;
+  MatrixXd far(ways.rows(), 0);
+  for (Index k = ways.cols() - 1; k >= 0; --k) {
+    std::vector<VectorXd> samples;
+    double misfit = 0;
+    for (const double sign : {-1.0, 1.0}) {
+      const VectorXd way = sign * ways.col(k);
+      const Way gone = follow(arm, pose, begin.place, way, 1, kSteps, accuracy, step);
+      std::reverse(samples.begin(), samples.end());
+      take(gone.places, samples, misfit);
+    }
+    if (samples.empty() || reach_of(arm, samples) < kShortestCurve * step) continue;
+    far.conservativeResize(Eigen::NoChange, far.cols() + 1);
+    far.rightCols(1) = ways.col(k);
+  }
+  return far;
+}
+
 /// `size`: of probes and steps, beside the usual ones.
 std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& pose,
                                        const VectorXd& from, double accuracy, double size,
                                        std::uint64_t seed) {
   const double probe = size * kProbe, step = size * kStep;
-  const auto begin = set_begin(arm, pose, from, accuracy, probe, seed);
+  auto begin = set_begin(arm, pose, from, accuracy, probe, seed);
   if (!begin) return std::nullopt;
+  if (begin->ways.cols() > 1 && accuracy > kReach) {
+    begin->ways = far_reaching(arm, pose, *begin, accuracy, step);
+    if (begin->ways.cols() == 0) return std::nullopt;
+  }
   TracedSet traced;
   SelfMotion& motion = traced.motion;
   motion.dimension = static_cast<int>(begin->ways.cols());
@@ -281,10 +317,7 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
     trace_surface(arm, pose, *begin, accuracy, step, seed, motion);
   }
   // A few steps are no set: closures that meet leave the accuracy behind as slowly.
-  double reached = 0;
-  for (const VectorXd& sample : motion.samples) {
-    reached = std::max(reached, apart(arm, sample, motion.samples.front()));
-  }
+  const double reached = reach_of(arm, motion.samples);
   const bool has_ends = motion.dimension == 1 && !motion.closes;
   if (reached < (has_ends ? kShortestCurve : kShortest) * probe) return std::nullopt;
   // A curve of postures ends nowhere: what is small and ends is near closures alone.

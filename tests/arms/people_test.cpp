@@ -4,6 +4,9 @@
 // poses at singular postures and within 1e-9 to 1e-3 of them.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+
+#include "moivre/arms/poses.h"
 #include "robots.h"
 #if MOIVRE_WITH_CVODE
 #include "moivre/tracker_cvode/cvode_tracker.h"
@@ -278,6 +281,63 @@ TEST(PeoplesArmsTest, KeepItByTheOtherTrackerToo) {
   expect_own_postures(*make_cvode_tracker({}), 6);
 }
 #endif
+
+/// Home, typed with three decimals. The accuracy leaves two freedoms open, round the curves of the
+/// pose as it stands.
+TEST(PeoplesArmsTest, ExactSetsOfACoarsePoseAreTold) {
+  const Arm arm = made_of({"stanford", {}, {}});
+  const TypedPose home = read_poses({"pose", "0 0.154 0.512 1 0 0 0"}).front();
+  const Eigen::VectorXd own = Eigen::VectorXd::Zero(6);
+  for (std::uint64_t seed = 101; seed <= 105; ++seed) {
+    SCOPED_TRACE(seed);
+    const ArmResult result = find_arm_closures(arm, home, lanes(), one_thread(seed));
+    EXPECT_GT(result.accuracy, 1e-3);
+    EXPECT_TRUE(is_told(arm, result, own));
+    EXPECT_EQ(result.moves.size(), 4U) << "joints 2 and 5, joints 4 and 6; the arm turned over";
+    for (const SelfMotion& set : result.moves) {
+      EXPECT_EQ(set.dimension, 1);
+      EXPECT_LT(set.misfit, 1e-12);
+      EXPECT_EQ(set.relations.size(), 1U);
+    }
+  }
+}
+
+/// Its elbow is stretched: rounded to three decimals the pose may be out of reach.
+TEST(PeoplesArmsTest, APoseRoundedOutOfReachIsHeldWithinItsAccuracy) {
+  const Arm arm = arm_of(DenavitHartenberg{
+      {0, 0.425, 0.392, 0, 0, 0}, {0.089, 0, 0, 0.109, 0.095, 0.08}, {90, 0, 0, 90, -90, 0}});
+  std::size_t out_of_reach = 0;
+  for (std::uint64_t index = 0; index < 20; ++index) {
+    SCOPED_TRACE(index);
+    Eigen::VectorXd own = random_values(arm, 3, index);
+    own[2] = 0;
+    const Eigen::Isometry3d tip = forward_kinematics(arm, own);
+    const Eigen::Quaterniond turn(tip.linear());
+    char text[200];
+    std::snprintf(text, sizeof text, "%.3f %.3f %.3f %.3f %.3f %.3f %.3f", tip.translation().x(),
+                  tip.translation().y(), tip.translation().z(), turn.w(), turn.x(), turn.y(),
+                  turn.z());
+    const TypedPose rounded = read_poses({"pose", text}).front();
+    const ArmResult result = find_arm_closures(arm, rounded, lanes(), one_thread());
+    EXPECT_TRUE(result.complete) << result.message;
+    const auto is_near = [&](const Eigen::VectorXd& values) {
+      return distance(arm, values, own) < 0.15;
+    };
+    const bool is_listed =
+        std::any_of(result.closures.begin(), result.closures.end(),
+                    [&](const ArmClosure& closure) { return is_near(closure.values); });
+    const bool is_on_way =
+        std::any_of(result.moves.begin(), result.moves.end(), [&](const SelfMotion& set) {
+          return std::any_of(set.samples.begin(), set.samples.end(), is_near);
+        });
+    EXPECT_TRUE(is_listed || is_on_way);
+    out_of_reach += std::none_of(result.closures.begin(), result.closures.end(),
+                                 [&](const ArmClosure& closure) {
+                                   return closure.residual < 1e-9 && is_near(closure.values);
+                                 });
+  }
+  EXPECT_GT(out_of_reach, 3U);
+}
 
 }  // namespace
 }  // namespace moivre::test
