@@ -28,8 +28,14 @@ constexpr double kRounding = 1e-12;
 /// By how much the tip may miss the pose, as its digits and those of the file leave it open.
 double by_digits(const PostureList& list) { return list.accuracy + list.arm.rounding; }
 
-/// Rounding is all that is left open where file and pose are typed with all digits.
-bool has_digits(const PostureList& list) { return by_digits(list) > kReach; }
+/// What the pose's digits leave open, and then the file's, too: nothing but rounding where all
+/// digits are typed.
+std::vector<double> left_open(const PostureList& list) {
+  std::vector<double> accuracies;
+  if (list.accuracy > kReach) accuracies.push_back(list.accuracy);
+  if (list.arm.rounding > 0) accuracies.push_back(by_digits(list));
+  return accuracies;
+}
 
 /// What rounding moves a closure by, along a direction of this singular value: forward kinematics
 /// is wrong by some units of the last bit for each joint, and where k closures meet Newton's step
@@ -117,25 +123,36 @@ bool ends(const SelfMotion& motion) {
   return motion.dimension == 1 && !motion.closes && motion.misfit > kRoundingShare * kRounding;
 }
 
+/// Adds a set, with the closures near it where it is one of the digits only. Its number where it is
+/// exact, or where one is that it was taken for.
+std::optional<std::size_t> add(PostureList& list, TracedSet&& traced, bool is_within_digits) {
+  const bool is_beyond_rounding = traced.motion.misfit > kRounding;
+  traced.motion.within_digits = is_within_digits;
+  // Where sets meet the posture may not be known well enough to be seen on one that is there.
+  if (const auto same = set_of(list, traced.motion.values, true)) return same;
+  list.moves.push_back(std::move(traced.motion));
+  if (!is_beyond_rounding) return list.moves.size() - 1;
+  enter_near(list, traced);
+  return std::nullopt;
+}
+
 /// Adds the set through the posture, its number where it is one of the pose and the file as typed.
 std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure) {
   const double sigma = closure.smallest_singular_value;
-  for (const double accuracy : {kRounding, by_digits(list)}) {
-    const bool is_by_digits = accuracy > kRounding;
-    if (is_by_digits && (!has_digits(list) || !list.follows_digits)) continue;
-    if (sigma > std::max(is_by_digits ? 0 : kStandsAlone, accuracy / kReachesFar)) continue;
-    if (is_by_digits && set_of(list, closure.values, false)) return std::nullopt;
+  const std::vector<double> accuracies = left_open(list);
+  if (sigma <= kStandsAlone) {
+    if (auto traced = trace_set(list.arm, list.pose, closure.values, kRounding, list.seed)) {
+      const bool is_within_digits = !accuracies.empty() && ends(traced->motion);
+      return add(list, std::move(*traced), is_within_digits);
+    }
+  }
+  for (const double accuracy : accuracies) {
+    if (!list.follows_digits || sigma > accuracy / kReachesFar) continue;
+    if (set_of(list, closure.values, false)) return std::nullopt;
     auto traced = trace_set(list.arm, list.pose, closure.values, accuracy, list.seed);
     if (!traced) continue;
-    const bool is_beyond_rounding = traced->motion.misfit > kRounding;
-    traced->motion.within_digits = (is_by_digits && traced->motion.misfit > list.accuracy) ||
-                                   (has_digits(list) && ends(traced->motion));
-    // Where sets meet the posture may not be known well enough to be seen on one that is there.
-    if (const auto same = set_of(list, traced->motion.values, true)) return same;
-    list.moves.push_back(std::move(traced->motion));
-    if (!is_beyond_rounding) return list.moves.size() - 1;
-    enter_near(list, *traced);
-    return std::nullopt;
+    const bool is_within_digits = traced->motion.misfit > list.accuracy;
+    return add(list, std::move(*traced), is_within_digits);
   }
   return std::nullopt;
 }
@@ -143,13 +160,17 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
 /// Newton's method ends beside the closures of a set that is there within the digits only: it goes
 /// along that set in steps that are too long.
 /// Followed, the set shows where they are.
-void follow_digits(PostureList& list, const Eigen::VectorXd& place) {
-  if (!has_digits(list) || !list.follows_digits || set_of(list, place, false)) return;
-  auto traced = trace_set(list.arm, list.pose, place, by_digits(list), list.seed);
-  if (!traced || set_of(list, traced->motion.values, false)) return;
-  traced->motion.within_digits = traced->motion.misfit > list.accuracy;
-  list.moves.push_back(std::move(traced->motion));
-  enter_near(list, *traced);
+void follow_digits(PostureList& list, const Polished& place) {
+  for (const double accuracy : left_open(list)) {
+    if (!list.follows_digits || place.residual > accuracy) continue;
+    if (set_of(list, place.values, false)) return;
+    auto traced = trace_set(list.arm, list.pose, place.values, accuracy, list.seed);
+    if (!traced || set_of(list, traced->motion.values, false)) continue;
+    traced->motion.within_digits = traced->motion.misfit > list.accuracy;
+    list.moves.push_back(std::move(traced->motion));
+    enter_near(list, *traced);
+    return;
+  }
 }
 
 }  // namespace
@@ -215,9 +236,7 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
   const bool has_six = list.arm.joints.size() >= kSix;
   if (!(polished.residual <= (has_six ? kRounding : by_digits(list)))) {
     if (polished.residual <= list.accuracy) list.places.push_back(polished.values);
-    if (has_six && polished.residual <= by_digits(list)) {
-      follow_digits(list, polished.values);
-    }
+    if (has_six) follow_digits(list, polished);
     return entry;
   }
   ArmClosure closure = closure_of(list, polished);
