@@ -222,7 +222,8 @@ Wanted wanted_of(const py::dict& choice, const System& system) {
 }
 
 void keep(const Wanted& wanted, Solved& run, const std::atomic<bool>& stop) {
-  if (wanted.digits > 0) give_digits(run.system, wanted.digits, run.result, stop);
+  const int digits = wanted.digits > 0 ? wanted.digits : digits_that_part(run.system, run.result);
+  if (digits > 0) give_digits(run.system, digits, run.result, stop);
   keep_wanted(wanted.filter, run.result);
 }
 

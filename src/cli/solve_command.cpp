@@ -93,7 +93,8 @@ SolveResult solve_interruptibly(const SolveCommand& command, const Problem& prob
   if (witness != nullptr && !stop.load()) {
     cross_check(problem.system, result, tracker, *witness, options, stop);
   }
-  if (command.digits) give_digits(problem.system, *command.digits, result, stop);
+  const int digits = command.digits.value_or(digits_that_part(problem.system, result));
+  if (digits > 0) give_digits(problem.system, digits, result, stop);
   result.time.parse = problem.parse_s;
   result.time.total += problem.parse_s;
   return result;

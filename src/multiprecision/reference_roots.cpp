@@ -66,7 +66,7 @@ class Climb {
   Climb(const System& f, const Tape& tape, const RowNorms& norms, int digits)
       : f_(f), tape_(tape), norms_(norms), digits_(digits) {}
 
-  ReferenceRoot from(const Point& approximation) {
+  ReferenceRoot from(const ApproximateRoot& approximation) {
     given_ = &approximation;
     root_ = ReferenceRoot();
     level(given_in<kFirstLevel>(), kFirstIterations);
@@ -91,7 +91,10 @@ class Climb {
   template <unsigned D>
   std::vector<BigComplex<D>> given_in() const {
     std::vector<BigComplex<D>> x;
-    for (const Complex& xi : *given_) x.emplace_back(xi);
+    for (const Complex& xi : given_->x) x.emplace_back(xi);
+    for (const Point& part : given_->finer) {
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += BigComplex<D>(part[i]);
+    }
     return x;
   }
 
@@ -136,11 +139,11 @@ class Climb {
     }
     root_.converged = true;
     root_.bound_log10 = log10_of<D>(*bound / scale_of(x));
-    std::vector<BigComplex<D>> error;
+    std::vector<BigComplex<D>> error = given_in<D>();
     for (std::size_t i = 0; i < x.size(); ++i) {
       root_.x.push_back({part_text(x[i].re, *bound, digits_), part_text(x[i].im, *bound, digits_)});
       root_.nearest.emplace_back(nearest_double_double(x[i].re), nearest_double_double(x[i].im));
-      error.push_back(BigComplex<D>((*given_)[i]) - x[i]);
+      error[i] = error[i] - x[i];
     }
     root_.forward_error = static_cast<double>(BigReal<D>(largest_size(error) / scale_of(x)));
     return true;
@@ -154,7 +157,7 @@ class Climb {
   const RowNorms& norms_;
   int digits_;
   Levels<90, 180, 360, 720, 1100, 2200> levels_;
-  const Point* given_ = nullptr;
+  const ApproximateRoot* given_ = nullptr;
   ReferenceRoot root_;
 };
 
@@ -168,7 +171,8 @@ class MpfrCaches {
   ~MpfrCaches() { mpfr_free_cache2(MPFR_FREE_LOCAL_CACHE); }
 };
 
-void require_usable(const System& f, const std::vector<Point>& approximations, int digits) {
+void require_usable(const System& f, const std::vector<ApproximateRoot>& approximations,
+                    int digits) {
   require_unbroken(broken_rules(f));
   const std::size_t n = f.variables.size();
   if (digits < 1 || digits > kMostDigits) {
@@ -179,21 +183,26 @@ void require_usable(const System& f, const std::vector<Point>& approximations, i
     throw InvalidInput("digits are for square systems; this one has " +
                        counted(f.polynomials.size(), "equation") + " in " + counted(n, "unknown"));
   }
-  for (const Point& x : approximations) {
+  const auto require_point = [n](const Point& x) {
     if (!std::isfinite(max_norm(x))) {
       throw InvalidInput("an approximation has a coordinate that is not finite");
     }
-    if (x.size() == n) continue;
+    if (x.size() == n) return;
     throw InvalidInput("an approximation has " + counted(x.size(), "coordinate") + ", the system " +
                        counted(n, "unknown"));
+  };
+  for (const ApproximateRoot& approximation : approximations) {
+    require_point(approximation.x);
+    for (const Point& part : approximation.finer) require_point(part);
   }
 }
 
 }  // namespace
 
-std::vector<ReferenceRoot> reference_roots(const System& f,
-                                           const std::vector<Point>& approximations, int digits,
-                                           int threads, const std::atomic<bool>& stop) {
+std::vector<ReferenceRoot> reference_roots_near(const System& f,
+                                                const std::vector<ApproximateRoot>& approximations,
+                                                int digits, int threads,
+                                                const std::atomic<bool>& stop) {
   require_usable(f, approximations, digits);
   const Tape tape = make_tape(f);
   const RowNorms norms = row_norms(f);
@@ -209,6 +218,14 @@ std::vector<ReferenceRoot> reference_roots(const System& f,
     }
   });
   return roots;
+}
+
+std::vector<ReferenceRoot> reference_roots(const System& f,
+                                           const std::vector<Point>& approximations, int digits,
+                                           int threads) {
+  std::vector<ApproximateRoot> all;
+  for (const Point& x : approximations) all.push_back({x});
+  return reference_roots_near(f, all, digits, threads);
 }
 
 }  // namespace moivre

@@ -229,6 +229,9 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
   Solution solution;
   solution.path = group.front();
   solution.x = point.x;
+  if (root.certificate && root.certificate->midpoint == point.x) {
+    solution.finer = root.certificate->finer;
+  }
   solution.real = is_real(root);
   solution.singular = !point.simple;
   solution.multiplicity = group.size();

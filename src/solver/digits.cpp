@@ -3,8 +3,11 @@
 #include "moivre/solver/digits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "moivre/expression/counted.h"
 #include "moivre/multiprecision/reference_roots.h"
@@ -22,14 +25,37 @@ bool leads_elsewhere(const ReferenceRoot& found, const Solution& root) {
   return found.forward_error > std::max(root.accuracy, std::numeric_limits<double>::epsilon() / 2);
 }
 
+/// Of x + finer[0] + ...; smaller parts than both have tell nothing.
+double distance(const Solution& a, const Solution& b) {
+  Point apart(a.x.size());
+  const auto add = [&](const Point& part, double sign) {
+    for (std::size_t i = 0; i < part.size(); ++i) apart[i] += sign * part[i];
+  };
+  add(a.x, 1);
+  add(b.x, -1);
+  const std::size_t parts = std::max(a.finer.size(), b.finer.size());
+  for (std::size_t k = 0; k < parts; ++k) {
+    if (k < a.finer.size()) add(a.finer[k], 1);
+    if (k < b.finer.size()) add(b.finer[k], -1);
+  }
+  return max_norm(apart);
+}
+
+/// How far the root is from x + finer[0] + ..., relative to max(1, |x|_inf).
+double known_to(const Solution& root, const ReferenceRoot& found) {
+  return found.converged ? found.forward_error : root.accuracy;
+}
+
 /// False: another simple root may be the one that was found. Their points are one as far as they
 /// are known.
-bool is_told_apart(const std::vector<Solution>& roots, std::size_t k) {
-  const Point& x = roots[k].x;
+bool is_told_apart(const std::vector<Solution>& roots, const std::vector<ReferenceRoot>& found,
+                   std::size_t k) {
+  constexpr double kMargin = 2;
+  const double size = std::max(1.0, max_norm(roots[k].x));
   for (std::size_t other = 0; other < roots.size(); ++other) {
     if (other == k || roots[other].singular) continue;
-    const double known = roots[k].accuracy + roots[other].accuracy;
-    if (max_distance(x, roots[other].x) <= known * std::max(1.0, max_norm(x))) return false;
+    const double known = known_to(roots[k], found[k]) + known_to(roots[other], found[other]);
+    if (distance(roots[k], roots[other]) <= kMargin * known * size) return false;
   }
   return true;
 }
@@ -50,16 +76,16 @@ void give_digits(const System& f, int digits, SolveResult& result, const std::at
   }
   const Stopwatch watch;
   result.digits = digits;
-  std::vector<Point> points;
-  for (const Solution& solution : result.solutions) points.push_back(solution.x);
-  const auto roots = reference_roots(f, points, digits, result.time.threads, stop);
+  std::vector<ApproximateRoot> points;
+  for (const Solution& root : result.solutions) points.push_back({root.x, root.finer});
+  const auto roots = reference_roots_near(f, points, digits, result.time.threads, stop);
   std::uint64_t without = 0;
   std::uint64_t not_begun = 0;
   for (std::size_t k = 0; k < roots.size(); ++k) {
     if (roots[k].working_digits == 0) {
       ++not_begun;
     } else if (!roots[k].converged || leads_elsewhere(roots[k], result.solutions[k]) ||
-               !is_told_apart(result.solutions, k)) {
+               !is_told_apart(result.solutions, roots, k)) {
       ++without;
     } else {
       result.solutions[k].x_digits = roots[k].x;
@@ -79,6 +105,28 @@ void give_digits(const System& f, int digits, SolveResult& result, const std::at
                                "the run was interrupted before"});
   }
   result.time.total += watch.total();
+}
+
+int digits_that_part(const System& f, const SolveResult& result) {
+  constexpr int kTold = 4;
+  if (!is_square(f)) return 0;
+  std::map<std::vector<std::pair<double, double>>, std::vector<const Solution*>> by_point;
+  for (const Solution& root : result.solutions) {
+    if (root.finer.empty()) continue;
+    std::vector<std::pair<double, double>> key;
+    for (const Complex& xi : root.x) key.emplace_back(xi.real(), xi.imag());
+    by_point[std::move(key)].push_back(&root);
+  }
+  double digits = 0;
+  for (const auto& [point, roots] : by_point) {
+    for (std::size_t k = 1; k < roots.size(); ++k) {
+      for (std::size_t j = 0; j < k; ++j) {
+        const double apart = distance(*roots[j], *roots[k]) / max_norm(roots[k]->x);
+        if (apart > 0) digits = std::max(digits, kTold - std::floor(std::log10(apart)));
+      }
+    }
+  }
+  return static_cast<int>(std::min(digits, static_cast<double>(kMostDigits)));
 }
 
 }  // namespace moivre

@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <set>
 #include <stdexcept>
+#include <string>
 
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "problem_set.h"
@@ -42,6 +44,32 @@ TEST(Digits, AreRefusedWhereEquationsAreMoreThanUnknowns) {
   const System f = read("2 1\n x^2 - 1;\n x - 1;\n");
   SolveResult result = solve(f, *make_cvode_tracker());
   EXPECT_THROW(give_digits(f, 30, result, kGoOn), std::invalid_argument);
+}
+
+/// Newton's method begins at the proofs' midpoints: at 70 itself it knows no way.
+TEST(Digits, PartRootsThatAreOneInDouble) {
+  const System f = read("1\n u^2 - 140*u + 4900 - 7e-36;\n");
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SolveOptions options;
+    options.seed = seed;
+    SolveResult result = solve(f, *make_cvode_tracker(), options);
+    const int digits = digits_that_part(f, result);
+    EXPECT_GE(digits, 20);
+    EXPECT_LE(digits, 25);
+    give_digits(f, digits, result, kGoOn);
+    ASSERT_EQ(result.solutions.size(), 2U);
+    std::set<std::string> texts;
+    for (const Solution& root : result.solutions) {
+      ASSERT_EQ(root.x_digits.size(), 1U);
+      texts.insert(root.x_digits[0].re.substr(0, 22));
+    }
+    EXPECT_EQ(texts, (std::set<std::string>{"69.9999999999999999973", "70.0000000000000000026"}));
+  }
+}
+
+TEST(Digits, AreNotAskedForWhereDoublePartsAllRoots) {
+  const System f = read("1\n x^2 - 2;\n");
+  EXPECT_EQ(digits_that_part(f, solve(f, *make_cvode_tracker())), 0);
 }
 
 }  // namespace

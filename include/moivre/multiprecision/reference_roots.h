@@ -29,6 +29,12 @@ namespace moivre {
 
 inline constexpr int kMostDigits = 1000;
 
+/// x + finer[0] + finer[1] + ...
+struct ApproximateRoot {
+  Point x;
+  std::vector<Point> finer = {};
+};
+
 struct ReferenceRoot {
   bool converged = false;  ///< the bound covers the digits asked for; else what follows is empty
   std::vector<ComplexDecimal> x;  ///< n coordinates; each part has the digits asked for or is "0"
@@ -47,8 +53,13 @@ struct ReferenceRoot {
 /// threads: how many work on it; the result does not depend on them. Once `stop` is true no further
 /// root is begun; those have working_digits = 0. Throws std::invalid_argument when digits is not
 /// in [1, kMostDigits], F is not square or an approximation has another dimension.
-std::vector<ReferenceRoot> reference_roots(
-    const System& f, const std::vector<Point>& approximations, int digits, int threads = 1,
-    const std::atomic<bool>& stop = std::atomic<bool>{false});
+std::vector<ReferenceRoot> reference_roots_near(
+    const System& f, const std::vector<ApproximateRoot>& approximations, int digits,
+    int threads = 1, const std::atomic<bool>& stop = std::atomic<bool>{false});
+
+/// From points of double.
+std::vector<ReferenceRoot> reference_roots(const System& f,
+                                           const std::vector<Point>& approximations, int digits,
+                                           int threads = 1);
 
 }  // namespace moivre

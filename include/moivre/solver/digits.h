@@ -19,4 +19,8 @@ void require_digits(int digits);
 /// as require_digits(), and std::invalid_argument where f is not square or has homogeneous groups.
 void give_digits(const System& f, int digits, SolveResult& result, const std::atomic<bool>& stop);
 
+/// How many digits part the roots that are proved to differ, but are one in double: 0 where there
+/// are none, or none can be given.
+int digits_that_part(const System& f, const SolveResult& result);
+
 }  // namespace moivre

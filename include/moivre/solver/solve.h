@@ -112,6 +112,8 @@ std::vector<std::string> validate(const SolveOptions& options);
 struct Solution {
   std::uint64_t path = 0;  ///< smallest number of the paths that end here
   Point x;                 ///< in the system's variables and order
+  /// Of a proved root that is known beyond double: x + finer[0] + finer[1] + ... is nearer.
+  std::vector<Point> finer = {};
   /// All imaginary parts are 0 (and set to 0): proved where the root is certified and F real, else
   /// within the accuracy.
   bool real = false;
