@@ -119,13 +119,19 @@ StartsAtPose starts_at(const Arm& arm, const Eigen::Isometry3d& pose, const Trac
   return starts;
 }
 
+// The pose is ours to draw: where double does not decide the paths to one, another one costs less
+// than digits.
 RegularPose find_regular_pose(const Arm& arm, const Tracker& tracker, const SolveOptions& options,
                               const std::atomic<bool>& stop) {
-  constexpr std::uint64_t kTries = 4;
+  constexpr std::uint64_t kTries = 6, kInDouble = 2;
   RegularPose best;
   for (std::uint64_t k = 0; k < kTries && !stop && !best.complete; ++k) {
+    SolveOptions here = options;
+    if (k < kInDouble && options.precision == Precision::automatic) {
+      here.precision = Precision::double_precision;
+    }
     RegularPose regular =
-        closures_of_values(arm, regular_values(arm, options.seed, k), tracker, options, stop);
+        closures_of_values(arm, regular_values(arm, options.seed, k), tracker, here, stop);
     const bool is_better = regular.complete || regular.roots.size() > best.roots.size();
     if (k == 0 || is_better) best = std::move(regular);
   }

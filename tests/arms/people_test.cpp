@@ -282,6 +282,17 @@ TEST(PeoplesArmsTest, KeepItByTheOtherTrackerToo) {
 }
 #endif
 
+/// At the first random pose that this seed draws eight paths need hundreds of digits, 7 s.
+TEST(PeoplesArmsTest, ARegularPoseIsOneThatDoubleDecides) {
+  const Arm arm = made_of({"bravo7", {}, {}});
+  const Eigen::VectorXd own{{1.028, 0.551, 0.253, 0.221, 1.257, 1.387}};
+  const ArmResult result =
+      find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread(105));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.counts.complex, 12U);
+  EXPECT_EQ(result.paths.multiprecision, 0U);
+}
+
 /// Home, typed with three decimals. The accuracy leaves two freedoms open, round the curves of the
 /// pose as it stands.
 TEST(PeoplesArmsTest, ExactSetsOfACoarsePoseAreTold) {
