@@ -56,16 +56,17 @@ def actuator(ask, file):
                                              for s, c in zip((-1, 1), first)), f"columns {first}"))
 
 
-@case("burmester-5-moves.toml", "4 closures, all real; nothing moves")
-def burmester(ask, file):
-    answer = ask("closures", file)
-    return compare(answer, *counted(answer, 4, 4))
+def only_counted(name, truth, *counts, **more):
+    """A mechanism of which nothing but the counts of its closures is asked."""
+    @case(name, truth)
+    def closures(ask, file):
+        answer = ask("closures", file)
+        return compare(answer, *counted(answer, *counts, **more))
 
 
-@case("cardan-single.toml", "2 closures")
-def cardan(ask, file):
-    answer = ask("closures", file)
-    return compare(answer, *counted(answer, 2, 2))
+only_counted("burmester-5-moves.toml", "4 closures, all real; nothing moves", 4, 4)
+only_counted("cardan-single.toml", "2 closures", 2, 2)
+only_counted("scissor-6-undecided.toml", "256 isolated closures, 128 real, and a set that moves", 256, 128, moves=True)
 
 
 @case("delta-maryland.toml", "not known: only whether it is decided is judged")
@@ -131,12 +132,6 @@ def mistyped(ask, file):
     return compare(answer, ("coupler.B = [11, 70]" in warnings and "99 mm" in warnings, "no warning"), *counted(answer, 4, 4))
 
 
-@case("scissor-6-undecided.toml", "256 isolated closures, 128 real, and a set that moves")
-def scissor(ask, file):
-    answer = ask("closures", file)
-    return compare(answer, *counted(answer, 256, 128, moves=True))
-
-
 @case("strandbeest-4-drawn-pose-not-listed.toml", "3072 real closures; the drawn one is listed, and motion answers to its name")
 def strandbeest(ask, file):
     answer = ask("closures", file)
@@ -200,10 +195,19 @@ def solved(answer, simple, real=None, multiple=None):
     return facts
 
 
-@case("near-pair-exact.phc", "two simple real roots, 1e-68 apart")
-def near_pair(ask, file):
-    answer = ask("solve", file)
-    return compare(answer, *solved(answer, 2, 2))
+def only_solved(name, truth, *counts, **more):
+    """A system of which nothing but the counts of its roots is asked."""
+    @case(name, truth)
+    def solve(ask, file):
+        answer = ask("solve", file)
+        return compare(answer, *solved(answer, *counts, **more))
+
+
+only_solved("near-pair-exact.phc", "two simple real roots, 1e-68 apart", 2, 2)
+only_solved("slow-powerflow9-rect.phc", "768 roots, 8 of them real", 768, 8)
+only_solved("too-slow-hc492-a1.1.phc", "9 simple roots", 9)
+only_solved("undecided-hc574.phc", "456 roots: 348 simple, 96 triple, 12 fourfold", 348, multiple={3: 96, 4: 12})
+only_solved("undecided-quadratic.phc", "two simple real roots, 5e-23 apart", 2, 2)
 
 
 @case("check-denies-true-proof-hc492-a0.9.phc", "9 simple roots, proved, and `check` agrees")
@@ -231,30 +235,6 @@ def refused(ask, file):
     values = sorted(r["values"]["y"][0] for r in (answer.json or {}).get("solutions", []))
     truth = (-0.437, 7e-211, 1.144)
     return compare(answer, *solved(answer, 3, 3), (len(values) == 3 and all(abs(a / b - 1) < 0.1 for a, b in zip(values, truth)), f"roots {values}"))
-
-
-@case("slow-powerflow9-rect.phc", "768 roots, 8 of them real")
-def power_flow(ask, file):
-    answer = ask("solve", file)
-    return compare(answer, *solved(answer, 768, 8))
-
-
-@case("too-slow-hc492-a1.1.phc", "9 simple roots")
-def oscillators(ask, file):
-    answer = ask("solve", file)
-    return compare(answer, *solved(answer, 9))
-
-
-@case("undecided-hc574.phc", "456 roots: 348 simple, 96 triple, 12 fourfold")
-def cusps(ask, file):
-    answer = ask("solve", file)
-    return compare(answer, *solved(answer, 348, multiple={3: 96, 4: 12}))
-
-
-@case("undecided-quadratic.phc", "two simple real roots, 5e-23 apart")
-def quadratic(ask, file):
-    answer = ask("solve", file)
-    return compare(answer, *solved(answer, 2, 2))
 
 
 @case("usability-line-not-told-hc408.phc", "54 isolated roots, and a line that is told")

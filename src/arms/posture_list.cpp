@@ -101,9 +101,9 @@ std::optional<std::size_t> listed(const PostureList& list, const ArmClosure& clo
 }
 
 std::optional<std::size_t> set_of(const PostureList& list, const Eigen::VectorXd& values,
-                                  bool is_exact) {
+                                  bool within_rounding) {
   for (std::size_t k = 0; k < list.moves.size(); ++k) {
-    if (is_exact && list.moves[k].misfit > kRounding) continue;
+    if (within_rounding && list.moves[k].misfit > kRounding) continue;
     if (is_on(list.arm, list.moves[k], values, kOnSet)) return k;
   }
   return std::nullopt;
@@ -166,9 +166,8 @@ void follow_digits(PostureList& list, const Polished& place) {
     if (set_of(list, place.values, false)) return;
     auto traced = trace_set(list.arm, list.pose, place.values, accuracy, list.seed);
     if (!traced || set_of(list, traced->motion.values, false)) continue;
-    traced->motion.within_digits = traced->motion.misfit > list.accuracy;
-    list.moves.push_back(std::move(traced->motion));
-    enter_near(list, *traced);
+    const bool is_within_digits = traced->motion.misfit > list.accuracy;
+    add(list, std::move(*traced), is_within_digits);
     return;
   }
 }

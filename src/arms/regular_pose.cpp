@@ -119,8 +119,6 @@ StartsAtPose starts_at(const Arm& arm, const Eigen::Isometry3d& pose, const Trac
   return starts;
 }
 
-// The pose is ours to draw: where double does not decide the paths to one, another one costs less
-// than digits.
 RegularPose find_regular_pose(const Arm& arm, const Tracker& tracker, const SolveOptions& options,
                               const std::atomic<bool>& stop) {
   constexpr std::uint64_t kTries = 6, kInDouble = 2;

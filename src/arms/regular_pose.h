@@ -6,7 +6,8 @@
 // (docs/decisions/0021-inverse-kinematics.md), and every root is put right by Newton's method on
 // the product of transforms, as typed: the equations may be those of the special geometry that the
 // file's digits stand for, and are a way to find.
-// The pose is that of random joint values, which must be among its closures.
+// The pose is that of random joint values, which must be among its closures. Where double does not
+// decide its paths another one is drawn, which costs less than digits; they are taken after that.
 // An arm that misses a special geometry by 1e-3 has closures whose half-angle tangents are +-i
 // within 1e-6. They are counted, and not followed: they become real only next to singular postures,
 // where starts_at() at the pose itself has them.

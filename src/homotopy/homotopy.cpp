@@ -8,6 +8,7 @@
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/homogenize.h"
 #include "moivre/polynomial/scale.h"
+#include "moivre/polynomial/value.h"
 
 namespace moivre {
 namespace {
@@ -42,20 +43,6 @@ void append_coefficients(const Polynomial& support, const Polynomial& p,
 
 Coefficient exactly(const Complex& x) { return {Rational(x.real()), Rational(x.imag())}; }
 
-Coefficient value_of(const Monomial& monomial, const std::vector<Coefficient>& p) {
-  Coefficient value{1, 0};
-  for (const Power& power : monomial) {
-    for (std::uint32_t e = 0; e < power.exponent; ++e) value = value * p[power.variable];
-  }
-  return value;
-}
-
-Coefficient value_at(const Polynomial& q, const std::vector<Coefficient>& p) {
-  Coefficient sum;
-  for (const Term& term : q.terms) sum = sum + term.coefficient * value_of(term.monomial, p);
-  return sum;
-}
-
 /// The derivative of q at p along `speed`.
 Coefficient rate_at(const Polynomial& q, const std::vector<Coefficient>& p,
                     const std::vector<Coefficient>& speed) {
@@ -66,7 +53,7 @@ Coefficient rate_at(const Polynomial& q, const std::vector<Coefficient>& p,
       const Power power = lower[j];
       if (--lower[j].exponent == 0) lower.erase(lower.begin() + static_cast<std::ptrdiff_t>(j));
       const Coefficient factor = Coefficient{Rational(power.exponent), 0} * speed[power.variable];
-      sum = sum + factor * term.coefficient * value_of(lower, p);
+      sum = sum + factor * term.coefficient * value_at(lower, p);
     }
   }
   return sum;

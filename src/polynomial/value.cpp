@@ -17,6 +17,20 @@ Complex value_at(const Polynomial& p, const Point& x) {
   return sum;
 }
 
+Coefficient value_at(const Monomial& monomial, const std::vector<Coefficient>& x) {
+  Coefficient value{1, 0};
+  for (const Power& power : monomial) {
+    for (std::uint32_t k = 0; k < power.exponent; ++k) value = value * x[power.variable];
+  }
+  return value;
+}
+
+Coefficient value_at(const Polynomial& p, const std::vector<Coefficient>& x) {
+  Coefficient sum;
+  for (const Term& term : p.terms) sum = sum + term.coefficient * value_at(term.monomial, x);
+  return sum;
+}
+
 double term_size(const Polynomial& p, const Point& x) {
   double sum = 0;
   for (const Term& term : p.terms)

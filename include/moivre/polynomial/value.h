@@ -2,6 +2,8 @@
 // What is a polynomial worth at a point, and beside its terms?
 #pragma once
 
+#include <vector>
+
 #include "moivre/numeric/complex.h"
 #include "moivre/polynomial/system.h"
 
@@ -9,6 +11,10 @@ namespace moivre {
 
 Complex value_at(const Monomial& monomial, const Point& x);
 Complex value_at(const Polynomial& p, const Point& x);
+
+/// Exactly.
+Coefficient value_at(const Monomial& monomial, const std::vector<Coefficient>& x);
+Coefficient value_at(const Polynomial& p, const std::vector<Coefficient>& x);
 
 /// Sum of the magnitudes of the terms.
 double term_size(const Polynomial& p, const Point& x);
