@@ -50,7 +50,7 @@ ExactPoint exact_root(const Bench& bench, const Entry& entry, const RealBall& ba
   for (const double error : {0.0, ball.radius}) {
     ExactPoint x;
     for (const Complex& xj : ball.x) x.push_back({simplest(xj.real(), error), Rational(0)});
-    const auto vanishes = [&](const Polynomial& p) { return is_zero(value_at(p, x)); };
+    const auto vanishes = [&](const Polynomial& p) { return is_zero(exact_value_at(p, x)); };
     const std::vector<Polynomial>& f = bench.f.polynomials;
     if (may_be_root_of(entry.certificate, x) && std::all_of(f.begin(), f.end(), vanishes)) return x;
   }
@@ -62,12 +62,12 @@ std::optional<int> sign_at_root(const Bench& bench, const Polynomial& p, std::si
   const RealBall ball = ball_of(bench, bench.entries[k]);
   const System of_p{bench.f.variables, {p}};
   if (has_no_root_within(of_p, ball.x, ball.radius)) {
-    return sign_of(value_at(p, simplest(ball.x, 0)).re);
+    return sign_of(exact_value_at(p, simplest(ball.x, 0)).re);
   }
   if (bench.claims.roots[k].cluster) return std::nullopt;
   const ExactPoint root = exact_root(bench, bench.entries[k], ball);
   if (root.empty()) return std::nullopt;
-  return sign_of(value_at(p, root).re);
+  return sign_of(exact_value_at(p, root).re);
 }
 
 void judge_inequality(const Bench& bench, const Condition& condition, std::size_t k) {

@@ -53,7 +53,7 @@ Coefficient rate_at(const Polynomial& q, const std::vector<Coefficient>& p,
       const Power power = lower[j];
       if (--lower[j].exponent == 0) lower.erase(lower.begin() + static_cast<std::ptrdiff_t>(j));
       const Coefficient factor = Coefficient{Rational(power.exponent), 0} * speed[power.variable];
-      sum = sum + factor * term.coefficient * value_at(lower, p);
+      sum = sum + factor * term.coefficient * exact_value_at(lower, p);
     }
   }
   return sum;
@@ -186,7 +186,7 @@ Homotopy Homotopy::parameters(const System& family, const Point& from, const Poi
   }
   for (std::size_t k = 0; k < homotopy.f_.size(); ++k) {
     const Polynomial& q = law.coefficients.polynomials[k];
-    homotopy.f_[k] = value_at(q, end);
+    homotopy.f_[k] = exact_value_at(q, end);
     homotopy.g_[k] = homotopy.f_[k] - rate_at(q, end, speed);
   }
   return homotopy;

@@ -17,7 +17,7 @@ Complex value_at(const Polynomial& p, const Point& x) {
   return sum;
 }
 
-Coefficient value_at(const Monomial& monomial, const std::vector<Coefficient>& x) {
+Coefficient exact_value_at(const Monomial& monomial, const std::vector<Coefficient>& x) {
   Coefficient value{1, 0};
   for (const Power& power : monomial) {
     for (std::uint32_t k = 0; k < power.exponent; ++k) value = value * x[power.variable];
@@ -25,9 +25,9 @@ Coefficient value_at(const Monomial& monomial, const std::vector<Coefficient>& x
   return value;
 }
 
-Coefficient value_at(const Polynomial& p, const std::vector<Coefficient>& x) {
+Coefficient exact_value_at(const Polynomial& p, const std::vector<Coefficient>& x) {
   Coefficient sum;
-  for (const Term& term : p.terms) sum = sum + term.coefficient * value_at(term.monomial, x);
+  for (const Term& term : p.terms) sum = sum + term.coefficient * exact_value_at(term.monomial, x);
   return sum;
 }
 

@@ -12,9 +12,8 @@ namespace moivre {
 Complex value_at(const Monomial& monomial, const Point& x);
 Complex value_at(const Polynomial& p, const Point& x);
 
-/// Exactly.
-Coefficient value_at(const Monomial& monomial, const std::vector<Coefficient>& x);
-Coefficient value_at(const Polynomial& p, const std::vector<Coefficient>& x);
+Coefficient exact_value_at(const Monomial& monomial, const std::vector<Coefficient>& x);
+Coefficient exact_value_at(const Polynomial& p, const std::vector<Coefficient>& x);
 
 /// Sum of the magnitudes of the terms.
 double term_size(const Polynomial& p, const Point& x);
