@@ -137,7 +137,8 @@ void note_near_miss(ClosureSearch& search, const Solution& root, bool is_rejecte
 }
 
 /// Enters the root, or counts it as rejected where it does not satisfy every equation.
-void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prover) {
+void take_root(ClosureSearch& search, const PartialRoot& root, const ResidualOfRoots& residual,
+               RootProver& prover) {
   Solution solution;
   solution.path = root.path;
   for (const auto& value : root.value) solution.x.push_back(value->rounded);
@@ -153,7 +154,7 @@ void take_root(ClosureSearch& search, const PartialRoot& root, RootProver& prove
     solution.accuracy = proved->accuracy;
   }
   solution.condition = root.condition;
-  solution.residual = residual_of_root(search.formulation, solution.x);
+  solution.residual = residual(solution.x);
   if (!holds(search.formulation, solution)) {
     ++search.result.counts.rejected;
     note_near_miss(search, solution, true);
@@ -183,29 +184,37 @@ void drop_proofs_within_rounding(const Formulation& formulation, RootProver& pro
   // square root at most.
   constexpr double kFarApart = 1e-4;
   if (!prover.is_on() || !formulation.has_rounded_frames) return;
-  const auto distance_within = [](const PartialRoot& a, const PartialRoot& b,
-                                  double most) -> std::optional<double> {
-    double largest = 0;
-    for (std::size_t v = 0; v < a.value.size() && largest <= most; ++v) {
-      largest = std::max(largest, std::abs(a.value[v]->rounded - b.value[v]->rounded));
-    }
-    return largest <= most ? std::optional(largest) : std::nullopt;
-  };
   const auto size_of = [](const PartialRoot& root) {
     double size = 1;
     for (const KnownValue& value : root.value) size = std::max(size, std::abs(value->rounded));
     return size;
   };
+  const auto gap = [](const PartialRoot& a, const PartialRoot& b, std::size_t v) {
+    return std::abs(a.value[v]->rounded - b.value[v]->rounded);
+  };
+  const auto is_near = [&](const PartialRoot& a, const PartialRoot& b, double most) {
+    for (std::size_t v = 0; v < a.value.size(); ++v) {
+      if (gap(a, b, v) > most) return false;
+    }
+    return true;
+  };
+  // Unknown by unknown: rounding moves a platform at 1e6 by more than a leg of it can turn.
+  using Moved = std::optional<std::vector<double>>;
+  const auto may_meet = [&](const PartialRoot& a, const PartialRoot& b, const Moved& moved) {
+    for (std::size_t v = 0; moved && v < moved->size(); ++v) {
+      if (gap(a, b, v) > 2 * (*moved)[v]) return false;
+    }
+    return true;
+  };
   std::vector<bool> is_unsure(roots.size());
   for (std::size_t i = 0; i < roots.size(); ++i) {
     if (!roots[i].proof) continue;
     const double near = kFarApart * size_of(roots[i]);
+    std::optional<Moved> moved;
     for (std::size_t j = i + 1; j < roots.size(); ++j) {
-      if (!roots[j].proof) continue;
-      const std::optional<double> distance = distance_within(roots[i], roots[j], near);
-      if (!distance) continue;
-      const std::optional<double> moved = prover.moved_by_rounding(roots[i].proof);
-      if (!moved || 2 * *moved >= *distance) is_unsure[i] = is_unsure[j] = true;
+      if (!roots[j].proof || !is_near(roots[i], roots[j], near)) continue;
+      if (!moved) moved = prover.moved_by_rounding(roots[i].proof);
+      if (may_meet(roots[i], roots[j], *moved)) is_unsure[i] = is_unsure[j] = true;
     }
   }
   for (std::size_t k = 0; k < roots.size(); ++k) {
@@ -381,7 +390,8 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   const bool has_unseen_sets = run.moves && !is_motion_shown;
   take_account(result, run);
   drop_proofs_within_rounding(search.formulation, prover, run.roots);
-  for (const PartialRoot& root : run.roots) take_root(search, root, prover);
+  const ResidualOfRoots residual(search.formulation);
+  for (const PartialRoot& root : run.roots) take_root(search, root, residual, prover);
   if (search.has_proofs()) merge_unproved(search);
   if (search.has_proofs())
     result.completeness = completeness(search.formulation, prover, run, result);

@@ -429,7 +429,7 @@ std::optional<bool> RootProver::vanishes(const KnownProof& proof,
   return std::abs(z->middle) <= kSureOfShake * (kRightTo / kShake) * step;
 }
 
-std::optional<double> RootProver::moved_by_rounding(const KnownProof& proof) {
+std::optional<std::vector<double>> RootProver::moved_by_rounding(const KnownProof& proof) {
   Work& shaken = work_->shake();
   const KnownProof beside = shaken.prove_beside(proof, work_->midpoints(proof));
   const KnownProof here = work_->finer(proof);
@@ -437,13 +437,13 @@ std::optional<double> RootProver::moved_by_rounding(const KnownProof& proof) {
   if (!here || !there) return std::nullopt;
   const std::vector<const Certificate*> from = chain_of(here);
   const std::vector<const Certificate*> to = chain_of(there);
-  double step = 0;
-  for (std::size_t group = 0; group < from.size(); ++group) {
-    for (std::size_t j = 0; j < from[group]->midpoint.size(); ++j) {
-      step = std::max(step, distance(enclosure(*from[group], j), enclosure(*to[group], j)));
-    }
+  std::vector<double> moved;
+  for (const auto& at : work_->place) {
+    const double step = distance(enclosure(*from[at->group], at->coordinate),
+                                 enclosure(*to[at->group], at->coordinate));
+    moved.push_back(kSureOfShake * (kRightTo / kShake) * step);
   }
-  return kSureOfShake * (kRightTo / kShake) * step;
+  return moved;
 }
 
 ProvedRoot RootProver::root(const KnownProof& proof) {

@@ -20,22 +20,33 @@ Formulation formulate(const Mechanism& mechanism, double t) {
   return formulation;
 }
 
-double residual_of_root(const Formulation& formulation, const Point& root) {
-  double length = formulation.length;
+ResidualOfRoots::ResidualOfRoots(const Formulation& formulation) : formulation_(formulation) {
+  for (const Polynomial& p : formulation.system.polynomials) {
+    coefficients_.push_back(rounded_coefficients(p));
+  }
+}
+
+double ResidualOfRoots::operator()(const Point& root) const {
+  double length = formulation_.length;
   for (std::size_t v = 0; v < root.size(); ++v) {
-    if (!formulation.is_direction[v]) length = std::max(length, std::abs(root[v]));
+    if (!formulation_.is_direction[v]) length = std::max(length, std::abs(root[v]));
   }
   if (length == 0) length = 1;
   Point sizes;
   for (std::size_t v = 0; v < root.size(); ++v) {
-    sizes.push_back(std::max(std::abs(root[v]), formulation.is_direction[v] ? 1 : length));
+    sizes.push_back(std::max(std::abs(root[v]), formulation_.is_direction[v] ? 1 : length));
   }
   double largest = 0;
-  for (const Polynomial& p : formulation.system.polynomials) {
-    const double size = term_size(p, sizes);
-    if (size > 0) largest = std::max(largest, std::abs(value_at(p, root)) / size);
+  for (std::size_t i = 0; i < coefficients_.size(); ++i) {
+    const Polynomial& p = formulation_.system.polynomials[i];
+    const double size = term_size(p, coefficients_[i], sizes);
+    if (size > 0) largest = std::max(largest, std::abs(value_at(p, coefficients_[i], root)) / size);
   }
   return largest;
+}
+
+double residual_of_root(const Formulation& formulation, const Point& root) {
+  return ResidualOfRoots(formulation)(root);
 }
 
 Eigen::VectorXd coordinates_of_root(const Formulation& formulation, const Point& root) {

@@ -11,10 +11,23 @@ Complex value_at(const Monomial& monomial, const Point& x) {
   return value;
 }
 
-Complex value_at(const Polynomial& p, const Point& x) {
+Point rounded_coefficients(const Polynomial& p) {
+  Point coefficients;
+  coefficients.reserve(p.terms.size());
+  for (const Term& term : p.terms) coefficients.push_back(to_complex(term.coefficient));
+  return coefficients;
+}
+
+Complex value_at(const Polynomial& p, const Point& coefficients, const Point& x) {
   Complex sum = 0;
-  for (const Term& term : p.terms) sum += to_complex(term.coefficient) * value_at(term.monomial, x);
+  for (std::size_t k = 0; k < p.terms.size(); ++k) {
+    sum += coefficients[k] * value_at(p.terms[k].monomial, x);
+  }
   return sum;
+}
+
+Complex value_at(const Polynomial& p, const Point& x) {
+  return value_at(p, rounded_coefficients(p), x);
 }
 
 Coefficient exact_value_at(const Monomial& monomial, const std::vector<Coefficient>& x) {
@@ -31,11 +44,16 @@ Coefficient exact_value_at(const Polynomial& p, const std::vector<Coefficient>& 
   return sum;
 }
 
-double term_size(const Polynomial& p, const Point& x) {
+double term_size(const Polynomial& p, const Point& coefficients, const Point& x) {
   double sum = 0;
-  for (const Term& term : p.terms)
-    sum += std::abs(to_complex(term.coefficient) * value_at(term.monomial, x));
+  for (std::size_t k = 0; k < p.terms.size(); ++k) {
+    sum += std::abs(coefficients[k] * value_at(p.terms[k].monomial, x));
+  }
   return sum;
+}
+
+double term_size(const Polynomial& p, const Point& x) {
+  return term_size(p, rounded_coefficients(p), x);
 }
 
 }  // namespace moivre

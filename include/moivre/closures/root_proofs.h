@@ -69,9 +69,10 @@ class RootProver {
   /// Whether one of the formulation's exclusions, in unknowns that are proved, is 0 at the root;
   /// nullopt: unknown.
   std::optional<bool> vanishes(const KnownProof& proof, const Formulation::Exclusion& exclusion);
-  /// How far the root may lie from that of the mechanism as typed, where all coefficients are known
-  /// to rounding only, to first order: the largest distance of a coordinate. nullopt: unknown.
-  std::optional<double> moved_by_rounding(const KnownProof& proof);
+  /// How far each unknown of the root may lie from that of the mechanism as typed, where all
+  /// coefficients are known to rounding only, to first order. Of a proof of all unknowns; nullopt:
+  /// unknown.
+  std::optional<std::vector<double>> moved_by_rounding(const KnownProof& proof);
   /// Of a proof of all unknowns.
   ProvedRoot root(const KnownProof& proof);
 

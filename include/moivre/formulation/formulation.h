@@ -134,6 +134,18 @@ Eigen::VectorXd coordinates_of_root(const Formulation& formulation, const Point&
 /// would have rounding errors as its only scale.
 double residual_of_root(const Formulation& formulation, const Point& root);
 
+/// The same of many roots.
+class ResidualOfRoots {
+ public:
+  /// The formulation has to outlive it.
+  explicit ResidualOfRoots(const Formulation& formulation);
+  double operator()(const Point& root) const;
+
+ private:
+  const Formulation& formulation_;
+  std::vector<Point> coefficients_;  ///< of each polynomial
+};
+
 /// max_v |x_v - conj(x_mirror(v))| / size_v: 0 for a real pose. size_v: of a direction the largest
 /// one, 1 at least; of a length the largest one, of the root and of the mechanism.
 double distance_from_real(const Formulation& formulation, const Point& root);

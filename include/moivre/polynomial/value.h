@@ -18,4 +18,10 @@ Coefficient exact_value_at(const Polynomial& p, const std::vector<Coefficient>& 
 /// Sum of the magnitudes of the terms.
 double term_size(const Polynomial& p, const Point& x);
 
+/// The coefficients in double, by term. Rounding an exact number takes longer than a term's value:
+/// of many points it is done once.
+Point rounded_coefficients(const Polynomial& p);
+Complex value_at(const Polynomial& p, const Point& coefficients, const Point& x);
+double term_size(const Polynomial& p, const Point& coefficients, const Point& x);
+
 }  // namespace moivre
