@@ -53,6 +53,7 @@ class Result:
     cross_check: Optional[dict[str, Any]]
     points: _Complexes
     set_points: _Complexes
+    planes: list[dict[str, Any]]
     real: _Bools
     singular: _Bools
     multiplicity: _Ints

@@ -117,6 +117,8 @@ class Result:
     real_points : ndarray of float, shape (real roots, unknowns)
     set_points : ndarray of complex, shape (points, unknowns)
         Of sets of positive dimension, where paths end. Their number means nothing.
+    planes : list of dict
+        Coordinate planes on which every equation is zero: "zero", the unknowns that are 0 there, and "dimension".
     real, singular : ndarray of bool, shape (roots,)
     multiplicity : ndarray of int, shape (roots,)
     accuracy, residual, condition : ndarray of float, shape (roots,)
@@ -143,6 +145,7 @@ class Result:
         self.cross_check = solved.cross_check
         self.points = roots["points"]
         self.set_points = solved.set_points()
+        self.planes = solved.planes()
         self.real = roots["real"]
         self.singular = roots["singular"]
         self.multiplicity = roots["multiplicity"]

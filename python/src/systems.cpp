@@ -370,6 +370,19 @@ py::array set_points(const Solved& run) {
                        [](const Solution& s) -> const Point& { return s.x; });
 }
 
+py::list planes(const Solved& run) {
+  py::list all;
+  for (const CoordinatePlane& plane : run.result.planes) {
+    py::list zeros;
+    for (const std::uint32_t j : plane.zeros) zeros.append(run.system.variables[j]);
+    py::dict one;
+    one["zero"] = zeros;
+    one["dimension"] = plane.dimension;
+    all.append(one);
+  }
+  return all;
+}
+
 }  // namespace
 
 py::object completeness_of(const std::optional<RootCompleteness>& completeness) {
@@ -413,6 +426,7 @@ void bind_systems(py::module_& module) {
       .def_property_readonly("cross_check", &comparison_of)
       .def("roots", &root_arrays)
       .def("set_points", &set_points)
+      .def("planes", &planes)
       .def("with_digits", &with_digits)
       .def("json",
            [](const Solved& run, const std::string& file) { return solve_json(run.result, file); })

@@ -115,6 +115,12 @@ def test_more_equations_than_unknowns_are_told():
     assert r.complete and len(r) == 2 and r.completeness is None
 
 
+def test_planes_on_which_every_equation_is_zero_are_told():
+    r = moivre.solve(["x*z + x", "y + x^2*y^2*z^2", "x*y + x"])
+    assert r.planes == [{"zero": ["x", "y"], "dimension": 1}]
+    assert moivre.solve(["x^2 - 1", "x*y - 1"]).planes == []
+
+
 def test_fewer_equations_are_refused_or_cut():
     with pytest.raises(ValueError):
         moivre.solve(["x^2 + y^2 - z"])

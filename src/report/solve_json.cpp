@@ -25,6 +25,12 @@ Json point_of_set_json(const Solution& point) {
           {"real", point.real}, {"residual", point.residual},  {"accuracy", point.accuracy}};
 }
 
+Json plane_json(const CoordinatePlane& plane, const std::vector<std::string>& unknowns) {
+  Json zeros = Json::array();
+  for (const std::uint32_t j : plane.zeros) zeros.push_back(unknowns[j]);
+  return {{"zero", zeros}, {"dimension", plane.dimension}};
+}
+
 Json cross_check_json(const CrossCheck& check) {
   return {{"witness", check.witness},
           {"common", check.common},
@@ -56,6 +62,11 @@ void write_solve_json(const TextSink& sink, const SolveResult& result, const std
       return solution;
     });
     if (!result.on_sets.empty()) report.list("on_sets", result.on_sets, point_of_set_json);
+    if (!result.planes.empty()) {
+      report.list("planes", result.planes, [&](const CoordinatePlane& plane) {
+        return plane_json(plane, result.system.variables);
+      });
+    }
     report.member("excess", result.excess);
     if (result.on_denominators > 0) report.member("on_denominators", result.on_denominators);
     if (result.filtered > 0) report.member("filtered", result.filtered);

@@ -168,6 +168,16 @@ void write_roots(TextPieces& text, const SolveResult& result, ListedRoots listed
   }
 }
 
+/// "every equation is zero on the plane s = x2 = 0, of dimension 1"
+void write_planes(TextPieces& text, const SolveResult& result) {
+  for (const CoordinatePlane& plane : result.planes) {
+    std::string zeros;
+    for (const std::uint32_t j : plane.zeros) zeros += result.system.variables[j] + " = ";
+    text += "\nevery equation is zero on the plane " + zeros + "0, of dimension " +
+            std::to_string(plane.dimension) + '\n';
+  }
+}
+
 /// The real ones first.
 void write_set_points(TextPieces& text, const SolveResult& result, ListedRoots listed) {
   std::vector<Solution> points = result.on_sets;
@@ -229,6 +239,7 @@ void write_solve_text(const TextSink& sink, const SolveResult& result, const std
   text += cross_check_text(result);
   text += result.message + '\n' + completeness_line(result);
   write_roots(text, result, listed);
+  write_planes(text, result);
   write_set_points(text, result, listed);
   text += failures_text(result.failures);
   text += left_out_text(result.left_out);

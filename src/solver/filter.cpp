@@ -38,6 +38,17 @@ bool is_wanted(const RootFilter& filter, const std::vector<std::size_t>& places,
   return true;
 }
 
+/// Whether no point of the plane is wanted, by the coordinates that are 0 there.
+bool is_unwanted(const RootFilter& filter, const std::vector<std::size_t>& places,
+                 const CoordinatePlane& plane) {
+  if (filter.positive || filter.nonzero) return true;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const bool is_zero = std::count(plane.zeros.begin(), plane.zeros.end(), places[k]) > 0;
+    if (is_zero && (filter.box[k].from > 0 || filter.box[k].to < 0)) return true;
+  }
+  return false;
+}
+
 void keep_by_coordinates(const RootFilter& filter, SolveResult& result) {
   const std::vector<std::string>& unknowns = result.system.variables;
   std::vector<std::size_t> places;
@@ -48,6 +59,8 @@ void keep_by_coordinates(const RootFilter& filter, SolveResult& result) {
   const std::size_t before = result.solutions.size();
   result.filtered += drop_solutions_where(
       result, [&](const Solution& root) { return !is_wanted(filter, places, root); });
+  std::erase_if(result.planes,
+                [&](const CoordinatePlane& plane) { return is_unwanted(filter, places, plane); });
   const std::uint64_t left = before - result.solutions.size();
   result.left_out.push_back({"roots that are not " + said(filter),
                              "asked for: " + counted(left, "root is", "roots are") + " not told"});
@@ -58,12 +71,21 @@ bool meets(const Condition& condition, Sign sign) {
   return sign == Sign::positive || (sign == Sign::unknown && !condition.is_strict);
 }
 
+/// Whether p is a constant on the plane that does not meet the condition.
+bool fails_throughout(const Condition& condition, const CoordinatePlane& plane) {
+  const Polynomial left = on_plane(condition.p, plane.zeros);
+  if (left.terms.empty()) return condition.is_strict;
+  return degree(left) == 0 && left.terms.front().coefficient.re < 0;
+}
+
 /// Takes out the roots that do not meet the condition, and notes which are on its boundary.
 void keep_met(const Condition& condition, SolveResult& result) {
   const auto fails = [&](const Solution& point) {
     return !point.real || !meets(condition, sign_at(condition.p, point));
   };
   std::erase_if(result.on_sets, fails);
+  std::erase_if(result.planes,
+                [&](const CoordinatePlane& plane) { return fails_throughout(condition, plane); });
   std::vector<bool> is_left_out;
   std::uint64_t hidden_by_digits = 0;
   for (Solution& root : result.solutions) {

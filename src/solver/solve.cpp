@@ -273,6 +273,7 @@ SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& o
                   const std::atomic<bool>& stop) {
   require_usable(f, options);
   SolveResult result = solve_any(f, tracker, options, stop);
+  result.planes = coordinate_planes(f);
   drop_on_denominators(f, result);
   if (!options.certify) leave_out_certificates(result);
   return result;
@@ -285,6 +286,7 @@ SolveResult solve_from(const System& f, GivenStart start, const Tracker& tracker
   Stopwatch watch;
   SolveResult result =
       solve_in(Setting(f, prepare_given(f, std::move(start)), tracker, options, stop), watch);
+  result.planes = coordinate_planes(f);
   drop_on_denominators(f, result);
   if (!options.certify) leave_out_certificates(result);
   return result;

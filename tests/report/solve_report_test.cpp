@@ -133,6 +133,15 @@ TEST(SolveText, ShowsAFewPointsOfSetsAndCountsTheOthers) {
   EXPECT_NE(text.find("\n2 more points of such sets (--all lists them)\n"), std::string::npos);
 }
 
+TEST(SolveText, NamesThePlanesOnWhichEveryEquationIsZero) {
+  SolveResult result = hand_made_result();
+  result.planes = {{{0, 1}, 1}};
+  const std::string text = solve_text(result, "two.phc");
+  EXPECT_NE(text.find("\nevery equation is zero on the plane x = alpha = 0, of dimension 1\n"),
+            std::string::npos)
+      << text;
+}
+
 TEST(SolveText, PrintsAllTheDigitsThatWereAskedFor) {
   SolveResult result = hand_made_result();
   result.solutions[1].x_digits = {{"0.333333333333333333333", "0"},

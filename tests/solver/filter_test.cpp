@@ -85,6 +85,22 @@ TEST(PointsOfSets, AreThoseOfTheFileAndNotOfItsCombinations) {
   }
 }
 
+TEST(Planes, AreToldWhetherAPathEndsThereOrNot) {
+  // x = y = 0 is a line of roots; the others are x = +-1, y = -1, z = -1.
+  const std::string line = "x*z + x; y + x^2*y^2*z^2; x*y + x;";
+  const SolveResult told = solved(line);
+  ASSERT_EQ(told.planes.size(), 1U) << told.message;
+  EXPECT_EQ(told.planes[0], (CoordinatePlane{{0, 2}, 1}));
+  for (const auto& [text, is_kept] :
+       {std::pair("y > -1", true), {"y < 0", false}, {"z > 5", true}}) {
+    SolveResult result = told;
+    RootFilter wanted;
+    wanted.conditions = {read_conditions({"conditions", text}, told.system.variables)[0]};
+    keep_wanted(wanted, result);
+    EXPECT_EQ(result.planes.size(), is_kept ? 1U : 0U) << text;
+  }
+}
+
 TEST(PointsOfSets, WhereADenominatorIsZeroAreNone) {
   const SolveResult result = solved("x*(y - 1)/x; x*(z - 2); x + y^2 + z^2 - 1;");
   EXPECT_TRUE(result.on_sets.empty());

@@ -31,6 +31,7 @@
 #include "moivre/endgame/endgame.h"
 #include "moivre/numeric/decimal.h"
 #include "moivre/numeric/observations.h"
+#include "moivre/polynomial/coordinate_planes.h"
 #include "moivre/polynomial/eliminate.h"
 #include "moivre/polynomial/scale.h"
 #include "moivre/polynomial/system.h"
@@ -275,6 +276,8 @@ struct SolveResult {
   /// Points of sets of positive dimension, where paths end; `multiplicity`: so many paths. By path
   /// number.
   std::vector<Solution> on_sets;
+  /// On which every equation is zero, whether a path ends there or not.
+  std::vector<CoordinatePlane> planes;
   std::uint64_t excess =
       0;  ///< roots that squaring up added, with multiplicity: they fail an equation of F
   std::uint64_t on_denominators =
