@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <numbers>
+#include <utility>
 
 namespace moivre {
 namespace {
@@ -68,17 +69,21 @@ JointVector<Complex> predicted(const Arm& arm, const TipWay& way, double s, doub
   return q + h / 6 * (a + 2 * b + 2 * c + d);
 }
 
-/// What rounding makes of a Newton step here.
+/// What rounding makes of a Newton step here. Far from real, screws grow with the turns before
+/// them, and the turns behind take as much away: the tip is wrong by the last bits of the square.
 double rounding_of_step(const Arm& arm, const JointVector<Complex>& q) {
   constexpr double kLastBits = 1e-15;
   const Eigen::Matrix<Complex, 6, 6> square = tip_motion<Complex>(arm, q).screws;
-  return kLastBits * square.partialPivLu().inverse().norm();
+  const double growth = std::max(1.0, square.cwiseAbs2().maxCoeff());
+  return kLastBits * growth * square.partialPivLu().inverse().norm();
 }
 
-/// Two Newton steps; nothing where the second is not smaller by `contraction` than the first.
+/// Newton steps, two at least, until what they leave is small; nothing where one is not smaller by
+/// `contraction` than the one before. What is left next to a singular pose, where steps contract by
+/// no more than this, would keep those from the next place from contracting at all.
 struct Corrected {
   bool contracts = false;
-  double first = 0, second = 0;
+  double first = 0;
 };
 Corrected corrected(const Arm& arm, const Placement<Complex>& pose, double contraction, bool is_end,
                     JointVector<Complex>& q) {
@@ -87,19 +92,24 @@ Corrected corrected(const Arm& arm, const Placement<Complex>& pose, double contr
   /// Steps that are smaller may be rounding's, next to a singular posture; they lead to no other
   /// path.
   constexpr double kRounding = 1e-9, kMostRounding = 1e-5;
+  constexpr double kSmall = 1e-7;
+  constexpr int kMost = 5;
   Corrected result;
   const JointVector<Complex> one = newton_step(arm, pose, q);
   result.first = step_size(arm, one);
   if (!(result.first <= kFarthest)) return result;
   q += one;
-  const JointVector<Complex> two = newton_step(arm, pose, q);
-  result.second = step_size(arm, two);
-  const bool may_be_rounding = !is_end && result.second <= kMostRounding;
-  if (!(result.second <= std::max(contraction * result.first, kRounding)) &&
-      !(may_be_rounding && result.second <= rounding_of_step(arm, q))) {
-    return result;
+  double before = result.first;
+  for (int k = 0; k < kMost; ++k) {
+    const JointVector<Complex> step = newton_step(arm, pose, q);
+    const double size = step_size(arm, step);
+    const bool is_smaller = size <= std::max(contraction * before, kRounding);
+    const bool may_be_rounding = !is_end && size <= kMostRounding;
+    if (!is_smaller && !(may_be_rounding && size <= rounding_of_step(arm, q))) return result;
+    q += step;
+    if (!is_smaller || size <= kRounding || size * size <= kSmall * before) break;
+    before = size;
   }
-  q += two;
   result.contracts = true;
   return result;
 }
@@ -122,14 +132,16 @@ bool have_met(const Arm& arm, const ApproachEnd& a, const ApproachEnd& b) {
          distance_of(arm, a.values, b.values) <= within;
 }
 
-/// The poses are real: a closure's conjugate is another one, or the closure itself.
+/// The poses are real: a closure's conjugate is another one, or the closure itself. Next to a
+/// singular pose the path to it may have stopped before it.
 bool has_conjugate(const Arm& arm, const ApproachEnd& end, const std::vector<ApproachEnd>& ends) {
+  constexpr double kClearly = 4;
   if (end.kind != ApproachKind::regular) return true;
   const JointVector<Complex> mirrored = end.values.conjugate();
   return std::any_of(ends.begin(), ends.end(), [&](const ApproachEnd& other) {
-    return other.kind == ApproachKind::regular &&
-           distance_of(arm, mirrored, other.values) <=
-               std::max(1e-8, 10 * (end.accuracy + other.accuracy));
+    if (other.kind != ApproachKind::regular && other.kind != ApproachKind::singular) return false;
+    const double within = std::max(1e-8, 10 * (end.accuracy + other.accuracy));
+    return distance_of(arm, mirrored, other.values) <= within + kClearly * other.to_go;
   });
 }
 
@@ -165,15 +177,14 @@ namespace {
 
 /// Whether every motion of the joints moves the tip. On a set of closures steps along it are none
 /// of Newton's, which then contracts at any of its points, complex ones too.
-bool is_regular(const Arm& arm, const JointVector<Complex>& q) {
+bool moves_in_all_ways(const Arm& arm, const JointVector<Complex>& q) {
   constexpr double kRounding = 1e-13;  // what the tip seems to move by where it stands
   const Eigen::Matrix<Complex, 6, 6> square = tip_motion<Complex>(arm, q).screws;
   return square.partialPivLu().inverse().norm() < 1 / kRounding;
 }
 
-}  // namespace
-
-bool correct_at(const Arm& arm, const Placement<Complex>& pose, JointVector<Complex>& values,
+/// Newton's method at one pose; also where it ends on a set of closures.
+bool settles_at(const Arm& arm, const Placement<Complex>& pose, JointVector<Complex>& values,
                 double farthest, double& accuracy) {
   constexpr int kMost = 12;
   constexpr double kRegular = 1e-5;
@@ -190,7 +201,16 @@ bool correct_at(const Arm& arm, const Placement<Complex>& pose, JointVector<Comp
     if (size == 0) break;
   }
   if (!(accuracy <= kRegular) || distance_of(arm, q, values) > farthest) return false;
-  if (!is_regular(arm, q)) return false;
+  values = q;
+  return true;
+}
+
+}  // namespace
+
+bool correct_at(const Arm& arm, const Placement<Complex>& pose, JointVector<Complex>& values,
+                double farthest, double& accuracy) {
+  JointVector<Complex> q = values;
+  if (!settles_at(arm, pose, q, farthest, accuracy) || !moves_in_all_ways(arm, q)) return false;
   values = q;
   return true;
 }
@@ -225,10 +245,12 @@ ApproachEnd approach(const Arm& arm, const TipWay& way, const JointVector<Comple
         corrected(arm, is_last ? end : moving(arm, way, next).at, contraction, is_last, q);
     if (step.contracts && is_last) {
       JointVector<Complex> last = q;
-      if (correct_at(arm, end, last, kWanted, result.accuracy)) {
+      if (settles_at(arm, end, last, kWanted, result.accuracy)) {
+        const bool is_regular = moves_in_all_ways(arm, last);
         result.values = last;
         result.remaining = 0;
-        result.kind = ApproachKind::regular;
+        result.kind = is_regular ? ApproachKind::regular : ApproachKind::singular;
+        if (!is_regular) result.to_go = result.accuracy;
         return result;
       }
     }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "moivre/factorization/qr.h"
 #include "random_values.h"
 #include "self_motion.h"
 #include "set_place.h"
@@ -38,18 +39,19 @@ double added_size(const ArmBeginning& beginning, const ApproachEnd& end) {
 constexpr double kNear = 0.03;
 
 /// The nearest closure that the path may have come to. One path alone comes to a simple closure,
-/// however near to singular it is; with joints that were added to an arm's own several may.
+/// however near to singular it is; with joints that were added to an arm's own several may, and
+/// also to one that is singular with these joints only.
 std::optional<std::size_t> closure_of(const SingularEnd& end, const PostureList& list,
                                       const PathsSeen& seen) {
   constexpr double kSingular = 1e-3;
+  const bool has_all_joints = list.arm.joints.size() >= kSixJoints;
   std::optional<std::size_t> nearest;
   double least = kNear;
   for (std::size_t k = 0; k < list.closures.size(); ++k) {
     const ArmClosure& closure = list.closures[k];
-    if (closure.smallest_singular_value > kSingular) continue;
+    if (has_all_joints && closure.smallest_singular_value > kSingular) continue;
     const double away = distance(list.arm, closure.values, end.values);
-    const bool has_room =
-        list.arm.joints.size() < kSixJoints || !is_simple(closure) || !seen.paths_to.contains(k);
+    const bool has_room = !has_all_joints || !is_simple(closure) || !seen.paths_to.contains(k);
     if (!has_room || away > least) continue;
     least = away;
     nearest = k;
@@ -60,6 +62,17 @@ std::optional<std::size_t> closure_of(const SingularEnd& end, const PostureList&
 bool is_at_set(const SingularEnd& end, const PostureList& list, bool of_exact_ones) {
   return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
     return is_exact(set) == of_exact_ones && is_on(list.arm, set, end.values, kNear);
+  });
+}
+
+/// Whether the end is on a plane of postures, or on its continuation into complex numbers: paths
+/// slide along it, as slowly as rounding lets them be followed. All closures on it are listed.
+bool is_on_plane(const SingularEnd& end, const PostureList& list) {
+  constexpr double kOnPlane = 1e-3;
+  return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
+    if (set.relations.empty() || !is_on(list.arm, set, end.values, kOnPlane)) return false;
+    const Eigen::VectorXd along = PivotedQr<double>(set.directions).solve(end.imaginary);
+    return (end.imaginary - set.directions * along).norm() <= kOnPlane;
   });
 }
 
@@ -106,7 +119,9 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
     const Eigen::VectorXd start = own_values(six, end.values.real());
     if (end.kind == ApproachKind::singular) {
       enter(list, start, false);
-      seen.singular.push_back({start, imaginary, added_size(beginning, end), end.to_go});
+      const Eigen::VectorXd sum = end.values.real() + end.values.imag();
+      seen.singular.push_back(
+          {start, own_values(six, sum) - start, imaginary, added_size(beginning, end), end.to_go});
       continue;
     }
     const bool counts = added_size(beginning, end) <= kMargin * accuracy;
@@ -180,16 +195,18 @@ bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, Ar
   const bool stopped_early = end.to_go > kFarBefore;
   if (!stopped_early && is_at_listed(end, list, seen, result)) return true;
   if (end.added > std::max(kNear, clear)) return true;
-  if (end.imaginary > std::max(kNotReal, clear)) {
+  if (end.imaginary_size > std::max(kNotReal, clear)) {
     ++result.counts.complex;
     return true;
   }
-  if (stopped_early) return false;
+  if (stopped_early) return is_on_plane(end, list);
   for (std::uint64_t k = 0; k < kBeside; ++k) {
     const Eigen::VectorXd way = random_joint_values(list.arm, list.seed, kBehindOthers + k);
     enter(list, end.values + kNear / std::numbers::pi * way, false);
   }
-  return is_at_listed(end, list, seen, result);
+  // Where an added joint clearly stands elsewhere, and nothing beside it holds the pose, there is
+  // no closure of the arm.
+  return is_at_listed(end, list, seen, result) || end.added > clear;
 }
 
 bool is_listed(const PostureList& list, const Eigen::VectorXd& place) {

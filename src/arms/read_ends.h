@@ -19,10 +19,11 @@ namespace moivre {
 
 /// A path that ended where closures meet, or where a set is.
 struct SingularEnd {
-  Eigen::VectorXd values;  ///< of the arm, the real part
-  double imaginary = 0;
-  double added = 0;  ///< of the joints that were added
-  double to_go = 0;  ///< how far it is from what the path leads to
+  Eigen::VectorXd values;     ///< of the arm, the real part
+  Eigen::VectorXd imaginary;  ///< of the arm
+  double imaginary_size = 0;  ///< of all joints, radians or lengths beside the arm's
+  double added = 0;           ///< of the joints that were added
+  double to_go = 0;           ///< how far it is from what the path leads to
 };
 
 /// Of the paths of one beginning.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "moivre/factorization/svd.h"
 #include "moivre/urdf/placement.h"
@@ -82,11 +83,28 @@ void add_joint(Arm& arm, const ExactVector& place, std::uint64_t seed, std::uint
 /// Axes through a point of the last joint's axis, which make a wrist with it; or axes anywhere.
 enum class AddedAxes { of_wrist, anywhere };
 
+/// A point of the last joint's axis, where a wrist of it and added turns may have its centre. Two
+/// turns of the arm's own that meet make a wrist with one; with two, the centre is where no posture
+/// that people like has it above a joint of the arm.
+ExactVector centre_of_wrist(const Arm& arm, double size, std::uint64_t seed) {
+  constexpr std::uint64_t kBehindAxes = 128;
+  const ArmJoint& last = arm.joints.back();
+  if (arm.joints.size() + 1 >= kSix || last.is_slide) return {};
+  const Rational unit(std::ldexp(1.0, std::ilogb(size / last.exact_length)));
+  const Rational along = random_number(seed, kBehindAxes, 1) * unit;
+  ExactVector centre;
+  for (std::size_t k = 0; k < centre.size(); ++k)
+    centre[k] = along * ratio(last.step.q[k + 1], Integer(1));
+  return centre;
+}
+
 void complete(Arm& arm, AddedAxes axes, std::uint64_t seed) {
   const double size = std::ldexp(1.0, std::ilogb(arm.length));
+  // In the frame of the joint before, which stands at the centre once one is added.
+  ExactVector centre = centre_of_wrist(arm, size / 2, seed);
   while (arm.joints.size() < kSix) {
     std::uint64_t index = 16 * arm.joints.size();
-    ExactVector place;
+    ExactVector place = std::exchange(centre, ExactVector{});
     for (Rational& x : place) {
       if (axes == AddedAxes::anywhere) x = random_number(seed, index, 1) * Rational(size / 2);
       ++index;

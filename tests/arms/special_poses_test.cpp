@@ -184,6 +184,41 @@ TEST(SpecialPosesTest, AScaraHasTwoClosuresAndOneWhereItIsStretched) {
   }
 }
 
+/// A Dobot Magician's: a turn of the base, then three parallel axes.
+Arm four_turns() {
+  std::string text = "<robot name='four'><link name='l0'/>";
+  const char* const origins[] = {"xyz='0 0 0'", "xyz='0 0 0.138' rpy='1.5707963267948966 0 0'",
+                                 "xyz='0.135 0 0'", "xyz='0.147 0 0'"};
+  for (int k = 1; k <= 4; ++k) {
+    const std::string n = std::to_string(k);
+    text += "<link name='l" + n + "'/><joint name='j" + n + "' type='revolute'><parent link='l" +
+            std::to_string(k - 1) + "'/><child link='l" + n + "'/><origin " + origins[k - 1] +
+            "/><axis xyz='0 0 1'/><limit lower='-3.2' upper='3.2' effort='1' velocity='1'/>"
+            "</joint>";
+  }
+  text +=
+      "<link name='tool'/><joint name='to' type='fixed'><parent link='l4'/><child link='tool'/>"
+      "<origin xyz='0.06 0 0' rpy='1.5707963267948966 0 0'/></joint></robot>";
+  return make_arm(read_urdf({"four", text}), {});
+}
+
+TEST(SpecialPosesTest, FourTurnsWithTheLastOneAboveTheBaseHaveTheirTwoClosures) {
+  // There the arm stands regularly, and one with a wrist at its last joint would not.
+  const Arm arm = four_turns();
+  for (std::uint64_t k = 0; k < 16; ++k) {
+    SCOPED_TRACE(k);
+    Eigen::VectorXd own = random_values(arm, 13, k);
+    // The second and the third link bring the last joint above the base.
+    const double reach = 0.135 * std::cos(own[1]) / 0.147;
+    own[2] = std::numbers::pi - own[1] - std::acos(reach) + (k % 2 == 0 ? 0 : 1e-7);
+    const ArmResult result =
+        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.closures.size(), 2U);
+    EXPECT_LT(least_distance(arm, result, own), 1e-9);
+  }
+}
+
 /// Three slides, then a wrist of z, y and z with a link between its axes.
 Arm gantry() {
   std::string text = "<robot name='gantry'><link name='l0'/>";
