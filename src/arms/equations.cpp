@@ -5,10 +5,6 @@
 namespace moivre {
 namespace {
 
-/// Coefficients beside the largest are kept to so many bits: twice what the paths are followed with
-/// at the most.
-constexpr std::size_t kBits = 256;
-
 using Row = std::vector<Integer>;
 
 Row row_of(const ExactDisplacement& form, const std::vector<ExactDisplacement>& terms) {
@@ -24,15 +20,13 @@ std::size_t bits_of(const Row& row) {
 }
 
 /// The row's polynomial, scaled by a power of two so that a number of `bits` bits is near 1.
+/// Nothing is rounded: exact algebra would count what was left of roots at infinity.
 Polynomial polynomial_of(const Row& row, std::size_t bits) {
-  const std::size_t dropped = bits > kBits ? bits - kBits : 0;
-  const Integer unit = Integer(1) << static_cast<unsigned>(dropped);
   // Over a power of two a number counts as rounded (moivre/polynomial/digits.h); these are not.
-  const Integer scale = Integer(3) << static_cast<unsigned>(bits - dropped);
+  const Integer scale = Integer(3) << static_cast<unsigned>(bits);
   TermMap map;
   for (std::size_t k = 0; k < row.size(); ++k) {
-    const Integer kept = row[k] / unit;
-    if (kept != 0) map[multilinear(k)] = {ratio(kept, scale), {}};
+    if (row[k] != 0) map[multilinear(k)] = {ratio(row[k], scale), {}};
   }
   return to_polynomial(std::move(map));
 }

@@ -234,6 +234,35 @@ Arm gantry() {
   return make_arm(read_urdf({"gantry", text + "</robot>"}), {});
 }
 
+/// Three slides and three turns without a common point, their right angles typed as 1.571.
+Arm oblique_gantry() {
+  std::string text = "<robot name='oblique'><link name='l0'/>";
+  const char* const origins[] = {"rpy='0 0 0'",         "rpy='1.571 0 1.571'",
+                                 "rpy='1.571 0 1.571'", "rpy='0 0 0'",
+                                 "rpy='-1.571 0 0'",    "xyz='0 0.051 0' rpy='1.571 0 1.571'"};
+  for (int k = 1; k <= 6; ++k) {
+    const std::string n = std::to_string(k);
+    text += "<link name='l" + n + "'/><joint name='j" + n + "' type='" +
+            (k <= 3 ? "prismatic" : "revolute") + "'><parent link='l" + std::to_string(k - 1) +
+            "'/><child link='l" + n + "'/><origin " + origins[k - 1] +
+            "/><axis xyz='0 0 1'/><limit lower='-1' upper='1' effort='1' velocity='1'/></joint>";
+  }
+  return make_arm(read_urdf({"oblique", text + "</robot>"}), {});
+}
+
+TEST(SpecialPosesTest, AGantryWithRoundedRightAnglesHasTheTwoClosuresOfItsTurns) {
+  const Arm arm = oblique_gantry();
+  for (std::uint64_t k = 0; k < 10; ++k) {
+    SCOPED_TRACE(k);
+    const Eigen::VectorXd own = random_values(arm, 14, k);
+    const ArmResult result =
+        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.counts.complex, 2U);
+    EXPECT_LT(least_distance(arm, result, own), 1e-9);
+  }
+}
+
 TEST(SpecialPosesTest, PathsThatEndOnASetTellNothingButTheSet) {
   // At a straight wrist Newton's method contracts at any point of the set, complex ones too, which
   // have no conjugates.
