@@ -19,9 +19,9 @@ struct Miss {
 };
 
 Miss miss_at(const SetPlace& place, const Eigen::VectorXd& least_before, double s = 0) {
-  Miss miss{s, place.values, place.least, 0};
-  if (least_before.size() > 0 && place.least.dot(least_before) < 0) miss.least = -miss.least;
-  miss.size = miss.least.dot(place.error);
+  Miss miss{s, place.values, least_moved(place), 0};
+  if (least_before.size() > 0 && miss.least.dot(least_before) < 0) miss.least = -miss.least;
+  miss.size = miss.least.dot(place.at.error);
   return miss;
 }
 

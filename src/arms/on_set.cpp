@@ -24,7 +24,7 @@ bool walks_to(const Arm& arm, const Eigen::Isometry3d& pose, SetPlace here,
   for (int k = 0; k < kMost; ++k) {
     const Eigen::VectorXd to = way_between(arm, here.values, sample);
     if (to.norm() < kStep) return to.norm() < kStep / 10 || leads_to(arm, pose, here, to, accuracy);
-    const Eigen::MatrixXd tangent = here.V.rightCols(dimension);
+    const Eigen::MatrixXd tangent = stretch_of(here).V.rightCols(dimension);
     const Eigen::VectorXd along = tangent * (tangent.transpose() * to);
     if (along.norm() < kTurnedAway * to.norm()) return false;
     const double step = std::min(2 * kStep, along.norm());

@@ -57,7 +57,8 @@ Around around(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& pla
   constexpr std::uint64_t kSteps = 8;
   const Index n = place.values.size();
   Index still = 0;
-  while (still < n && place.sigma[n - 1 - still] <= kMayStand * place.sigma[0]) ++still;
+  const Svd stretch = stretch_of(place);
+  while (still < n && stretch.sigma[n - 1 - still] <= kMayStand * stretch.sigma[0]) ++still;
   Around result;
   if (still == 0) return result;
   std::vector<VectorXd> differences;
@@ -65,7 +66,7 @@ Around around(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& pla
     VectorXd direction = VectorXd::Zero(n);
     for (Index i = 0; i < still; ++i) {
       const auto index = stream + k * kMostJoints + static_cast<std::uint64_t>(i);
-      direction += (2 * random_unit(seed, RandomStream::arm, index) - 1) * place.V.col(n - 1 - i);
+      direction += (2 * random_unit(seed, RandomStream::arm, index) - 1) * stretch.V.col(n - 1 - i);
     }
     direction.normalize();
     const VectorXd there = place.values + in_joints<double>(arm, probe * direction);
@@ -209,8 +210,9 @@ std::optional<SetBegin> set_begin(const Arm& arm, const Eigen::Isometry3d& pose,
   if (!there.further) return std::nullopt;
   // A place where sets meet is known to half the digits or fewer: the other one is better.
   const auto clearness = [](const SetPlace& place, Index dimension) {
-    const Index across = place.sigma.size() - 1 - dimension;
-    return across < 0 ? 0.0 : place.sigma[across];
+    const Eigen::VectorXd sigma = stretch_of(place).sigma;
+    const Index across = sigma.size() - 1 - dimension;
+    return across < 0 ? 0.0 : sigma[across];
   };
   const Index dimension = std::min(here.directions.cols(), there.directions.cols());
   const bool is_meeting = there.directions.cols() < here.directions.cols() ||
@@ -327,7 +329,8 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
     motion.directions.col(k) =
         in_joints<double>(arm, VectorXd(motion.directions.col(k))).normalized();
   }
-  motion.lost = {arm.length * begin->place.least.head<3>(), begin->place.least.tail<3>()};
+  const Velocity6<double> least = least_moved(begin->place);
+  motion.lost = {arm.length * least.head<3>(), least.tail<3>()};
   motion.relations = relations_of(arm, motion.samples, motion.dimension);
   return traced;
 }

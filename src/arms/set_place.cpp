@@ -2,11 +2,12 @@
 // Gauss-Newton across directions that are kept.
 #include "set_place.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
-#include "moivre/factorization/svd.h"
-#include "polish.h"
+#include "least_motion.h"
 
 namespace moivre {
 
@@ -22,42 +23,84 @@ double apart(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b)
 }
 
 SetPlace place_at(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& values) {
-  const Linearized at = linearized(arm, pose, values);
-  const Svd stretch = svd(at.screws, SingularVectors::full);
   SetPlace place;
   place.values = values;
-  place.residual = size_of(at.error);
-  place.V = stretch.V;
-  place.sigma = Eigen::VectorXd::Zero(values.size());
-  place.sigma.head(stretch.sigma.size()) = stretch.sigma;
-  place.error = at.error;
-  place.least = stretch.U.col(stretch.sigma.size() - 1);
+  place.at = linearized(arm, pose, values);
+  place.residual = size_of(place.at.error);
   return place;
 }
+
+Svd stretch_of(const SetPlace& place) {
+  Svd stretch = svd(place.at.screws, SingularVectors::full);
+  const Eigen::Index n = place.values.size();
+  const Eigen::Index count = stretch.sigma.size();
+  stretch.sigma.conservativeResize(n);
+  stretch.sigma.tail(n - count).setZero();
+  return stretch;
+}
+
+Velocity6<double> least_moved(const SetPlace& place) { return least_motion(place.at.screws).tip; }
+
+namespace {
+
+using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostJoints, kMostJoints>;
+
+/// A singular value beside which a miss is far.
+constexpr double kLongWay = kProbe / 10;
+
+/// What is left to move by, in the joints' own coordinates.
+Square across_of(const Eigen::MatrixXd& frozen) {
+  const Eigen::Index n = frozen.rows();
+  return Square::Identity(n, n) - frozen * frozen.transpose();
+}
+
+/// By the normal equations, where nothing is to be dropped.
+std::optional<JointVector<double>> short_step(const Linearized& at, const Eigen::MatrixXd& frozen,
+                                              const Square& across) {
+  constexpr double kIndependent = 1e-8;
+  const Screws<double> free = at.screws * across;
+  const double size = free.squaredNorm();
+  Square gram = free.transpose() * free;
+  gram += size * (frozen * frozen.transpose());
+  const Eigen::LDLT<Square> ldlt(gram);
+  if (!(ldlt.vectorD().minCoeff() > kIndependent * size)) return std::nullopt;
+  const JointVector<double> along = free.transpose() * at.error;
+  const JointVector<double> step = ldlt.solve(along);
+  if (!(step.norm() <= kLongWay)) return std::nullopt;
+  return step;
+}
+
+/// Without the directions that are lost, or in which the miss is within the accuracy and far.
+JointVector<double> step_of(const Linearized& at, const Square& across, double accuracy) {
+  constexpr double kLost = 1e-9;
+  const Svd stretch = svd(at.screws * across, SingularVectors::thin);
+  Eigen::VectorXd along = stretch.U.transpose() * at.error;
+  for (Eigen::Index i = 0; i < along.size(); ++i) {
+    const double miss = std::abs(along[i]);
+    const bool is_lost = stretch.sigma[i] <= kLost * stretch.sigma[0] ||
+                         (miss <= accuracy && miss > kLongWay * stretch.sigma[i]);
+    along[i] = is_lost ? 0 : along[i] / stretch.sigma[i];
+  }
+  return across * (stretch.V * along);
+}
+
+}  // namespace
 
 SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, Eigen::VectorXd values,
                  const Eigen::MatrixXd& frozen, double accuracy) {
   constexpr int kMost = 40;
-  constexpr double kLost = 1e-9, kLongest = 0.2, kSettled = 1e-13, kLongWay = kProbe / 10;
-  const Eigen::Index n = values.size();
-  const Eigen::MatrixXd across = Eigen::MatrixXd::Identity(n, n) - frozen * frozen.transpose();
+  constexpr double kLongest = 0.2, kSettled = 1e-13;
+  const Square across = across_of(frozen);
+  SetPlace place = place_at(arm, pose, values);
   for (int k = 0; k < kMost; ++k) {
-    const Linearized at = linearized(arm, pose, values);
-    const Svd stretch = svd(at.screws * across, SingularVectors::thin);
-    Eigen::VectorXd along = stretch.U.transpose() * at.error;
-    for (Eigen::Index i = 0; i < along.size(); ++i) {
-      const double miss = std::abs(along[i]);
-      const bool is_lost = stretch.sigma[i] <= kLost * stretch.sigma[0] ||
-                           (miss <= accuracy && miss > kLongWay * stretch.sigma[i]);
-      along[i] = is_lost ? 0 : along[i] / stretch.sigma[i];
-    }
-    Eigen::VectorXd step = across * (stretch.V * along);
+    const auto near = short_step(place.at, frozen, across);
+    JointVector<double> step = near ? *near : step_of(place.at, across, accuracy);
     const double size = step.cwiseAbs().maxCoeff();
     if (size > kLongest) step *= kLongest / size;
-    values += in_joints<double>(arm, step);
+    place = place_at(arm, pose, place.values + in_joints<double>(arm, step));
     if (size < kSettled) break;
   }
-  return place_at(arm, pose, values);
+  return place;
 }
 
 std::optional<SetPlace> moved(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from,

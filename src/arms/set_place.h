@@ -2,10 +2,12 @@
 // A posture next to a set of postures that hold the pose: how is it put right, and does the set go
 // on from there?
 //
-//   V, sigma   the tip's velocity is U sigma V^T of the joints', in radians and arm's lengths: the
-//              last columns of V move the tip least
+//   U sigma V^T  the tip's velocity, of the joints' in radians and arm's lengths: the last columns
+//              of V move the tip least
 //   settled    Gauss-Newton steps across directions that are kept; what is within the accuracy is
-//              no reason to go far
+//              no reason to go far: x with P S^T (S x - e) = 0, P across what is kept. A step that
+//              is short leaves nothing that is within the accuracy and far; then the normal
+//              equations give it, otherwise the singular value decomposition tells which to drop
 //   moved      a step along a direction, and back to the set across it
 // accuracy: radians, and lengths beside the arm's. Edges: a place may miss the pose by more than
 // that; its residual tells. Private to the module.
@@ -13,7 +15,8 @@
 
 #include <optional>
 
-#include "tip.h"
+#include "moivre/factorization/svd.h"
+#include "polish.h"
 
 namespace moivre {
 
@@ -26,15 +29,17 @@ Eigen::VectorXd in_arms_lengths(const Arm& arm, Eigen::VectorXd difference);
 /// |b - a|, turns modulo whole ones, in radians and arm's lengths.
 double apart(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
-/// A posture near a set, in radians and arm's lengths as far as its directions go.
+/// A posture near a set.
 struct SetPlace {
   Eigen::VectorXd values;
   double residual = 0;
-  Eigen::MatrixXd V;      ///< right singular vectors, the last ones move the tip least
-  Eigen::VectorXd sigma;  ///< as many as joints, 0 where there are more joints than six
-  Eigen::VectorXd error;
-  Eigen::VectorXd least;  ///< unit: where the tip can move least
+  Linearized at;
 };
+
+/// U, sigma, V of the place; sigma as many as joints, 0 where there are more joints than six.
+Svd stretch_of(const SetPlace& place);
+/// Unit: where the tip can move least.
+Velocity6<double> least_moved(const SetPlace& place);
 
 SetPlace place_at(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& values);
 
