@@ -24,6 +24,8 @@ constexpr double kReachesFar = 0.05;
 
 /// By how much a tip that stands may seem to move.
 constexpr double kRounding = 1e-12;
+/// By how much the tip misses the pose at most where Newton's method has come to rest.
+constexpr double kAtRest = 2e-14;
 
 /// By how much the tip may miss the pose, as its digits and those of the file leave it open.
 double by_digits(const PostureList& list) { return list.accuracy + list.arm.rounding; }
@@ -243,9 +245,10 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
     if (const auto same = listed(list, closure)) {
       return PostureEntry{PostureEntry::Kind::closure, *same, false, 0};
     }
-    // A closure may stand on a set that is there within the digits only; what is no closure is of
-    // that set.
-    if (const auto set = set_of(list, closure.values, !closure.within_digits)) {
+    // A closure may stand on a set that is there within the digits only; what is no closure, or a
+    // place on the way to one, is of that set.
+    const bool is_closure = !closure.within_digits && closure.residual <= kAtRest;
+    if (const auto set = set_of(list, closure.values, is_closure)) {
       return PostureEntry{PostureEntry::Kind::on_set, *set, false, 0};
     }
     return std::nullopt;

@@ -150,20 +150,35 @@ TEST(SpecialPosesTest, FewJointsReachThePosesThatTheyCan) {
   }
 }
 
+/// A joint of a bare skeleton: its axis is z, its limits are a turn or an arm's length.
+struct Link {
+  std::string origin;
+  bool is_slide = false;
+};
+
+Arm skeleton(const std::vector<Link>& links, const std::string& tool = "") {
+  std::string text = "<robot name='skeleton'><link name='l0'/>";
+  std::string last = "l0";
+  for (std::size_t k = 1; k <= links.size(); ++k) {
+    const Link& link = links[k - 1];
+    const std::string n = std::to_string(k);
+    text += "<link name='l" + n + "'/><joint name='j" + n + "' type='" +
+            (link.is_slide ? "prismatic" : "revolute") + "'><parent link='" + last +
+            "'/><child link='l" + n + "'/><origin " + link.origin +
+            "/><axis xyz='0 0 1'/><limit lower='-3' upper='3' effort='1' velocity='1'/></joint>";
+    last = "l" + n;
+  }
+  text += "<link name='tool'/><joint name='to' type='fixed'><parent link='" + last +
+          "'/><child link='tool'/><origin " + tool + "/></joint></robot>";
+  return make_arm(read_urdf({"skeleton", text}), {});
+}
+
 /// Turns about three parallel axes with a slide along them, as SCARA robots have them.
 Arm scara() {
-  std::string text = "<robot name='scara'><link name='l0'/>";
-  const char* const origins[] = {"0 0 0", "0.225 0 0.24", "0.175 0 0", "0 0 0"};
-  for (int k = 1; k <= 4; ++k) {
-    const std::string n = std::to_string(k);
-    text +=
-        "<link name='l" + n + "'/><joint name='j" + n + "' type='" +
-        (k == 3 ? "prismatic" : "revolute") + "'><parent link='l" + std::to_string(k - 1) +
-        "'/><child link='l" + n + "'/><origin xyz='" + origins[k - 1] + "' rpy='" +
-        (k == 3 ? "3.141592653589793" : "0") +
-        " 0 0'/><axis xyz='0 0 1'/><limit lower='-3' upper='3' effort='1' velocity='1'/></joint>";
-  }
-  return make_arm(read_urdf({"scara", text + "</robot>"}), {});
+  return skeleton({{"xyz='0 0 0'"},
+                   {"xyz='0.225 0 0.24'"},
+                   {"xyz='0.175 0 0' rpy='3.141592653589793 0 0'", true},
+                   {"xyz='0 0 0'"}});
 }
 
 TEST(SpecialPosesTest, AScaraHasTwoClosuresAndOneWhereItIsStretched) {
@@ -186,20 +201,11 @@ TEST(SpecialPosesTest, AScaraHasTwoClosuresAndOneWhereItIsStretched) {
 
 /// A Dobot Magician's: a turn of the base, then three parallel axes.
 Arm four_turns() {
-  std::string text = "<robot name='four'><link name='l0'/>";
-  const char* const origins[] = {"xyz='0 0 0'", "xyz='0 0 0.138' rpy='1.5707963267948966 0 0'",
-                                 "xyz='0.135 0 0'", "xyz='0.147 0 0'"};
-  for (int k = 1; k <= 4; ++k) {
-    const std::string n = std::to_string(k);
-    text += "<link name='l" + n + "'/><joint name='j" + n + "' type='revolute'><parent link='l" +
-            std::to_string(k - 1) + "'/><child link='l" + n + "'/><origin " + origins[k - 1] +
-            "/><axis xyz='0 0 1'/><limit lower='-3.2' upper='3.2' effort='1' velocity='1'/>"
-            "</joint>";
-  }
-  text +=
-      "<link name='tool'/><joint name='to' type='fixed'><parent link='l4'/><child link='tool'/>"
-      "<origin xyz='0.06 0 0' rpy='1.5707963267948966 0 0'/></joint></robot>";
-  return make_arm(read_urdf({"four", text}), {});
+  return skeleton({{"xyz='0 0 0'"},
+                   {"xyz='0 0 0.138' rpy='1.5707963267948966 0 0'"},
+                   {"xyz='0.135 0 0'"},
+                   {"xyz='0.147 0 0'"}},
+                  "xyz='0.06 0 0' rpy='1.5707963267948966 0 0'");
 }
 
 TEST(SpecialPosesTest, FourTurnsWithTheLastOneAboveTheBaseHaveTheirTwoClosures) {
@@ -236,18 +242,12 @@ Arm gantry() {
 
 /// Three slides and three turns without a common point, their right angles typed as 1.571.
 Arm oblique_gantry() {
-  std::string text = "<robot name='oblique'><link name='l0'/>";
-  const char* const origins[] = {"rpy='0 0 0'",         "rpy='1.571 0 1.571'",
-                                 "rpy='1.571 0 1.571'", "rpy='0 0 0'",
-                                 "rpy='-1.571 0 0'",    "xyz='0 0.051 0' rpy='1.571 0 1.571'"};
-  for (int k = 1; k <= 6; ++k) {
-    const std::string n = std::to_string(k);
-    text += "<link name='l" + n + "'/><joint name='j" + n + "' type='" +
-            (k <= 3 ? "prismatic" : "revolute") + "'><parent link='l" + std::to_string(k - 1) +
-            "'/><child link='l" + n + "'/><origin " + origins[k - 1] +
-            "/><axis xyz='0 0 1'/><limit lower='-1' upper='1' effort='1' velocity='1'/></joint>";
-  }
-  return make_arm(read_urdf({"oblique", text + "</robot>"}), {});
+  return skeleton({{"rpy='0 0 0'", true},
+                   {"rpy='1.571 0 1.571'", true},
+                   {"rpy='1.571 0 1.571'", true},
+                   {"rpy='0 0 0'"},
+                   {"rpy='-1.571 0 0'"},
+                   {"xyz='0 0.051 0' rpy='1.571 0 1.571'"}});
 }
 
 TEST(SpecialPosesTest, AGantryWithRoundedRightAnglesHasTheTwoClosuresOfItsTurns) {
@@ -260,6 +260,28 @@ TEST(SpecialPosesTest, AGantryWithRoundedRightAnglesHasTheTwoClosuresOfItsTurns)
     EXPECT_TRUE(result.complete) << result.message;
     EXPECT_EQ(result.counts.complex, 2U);
     EXPECT_LT(least_distance(arm, result, own), 1e-9);
+  }
+}
+
+TEST(SpecialPosesTest, PlacesOfASetThatIsThereWithinTheDigitsAreNoClosures) {
+  // An Epson C4 typed to four decimals, its wrist straight but for 1e-6.
+  const Arm arm = skeleton({{"xyz='0 0 0'"},
+                            {"xyz='0.1 0 0.32' rpy='-1.5708 0 0'"},
+                            {"xyz='0 -0.25 0' rpy='0 0 -1.5708'"},
+                            {"xyz='0 0 0' rpy='-1.5708 0 0'"},
+                            {"xyz='0 0 0.25' rpy='1.5708 0 0'"},
+                            {"xyz='0 0 0' rpy='-1.5708 0 0'"}},
+                           "xyz='0 0 0.065' rpy='0 0 3.1416'");
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translate(Eigen::Vector3d(0.41500000004551335, -2.3886353997042604e-07, 0.5700011569286886));
+  pose.rotate(Eigen::Quaterniond(0.7071080797025057, 2.597249262078945e-06, 0.7071054826634349,
+                                 -2.711689324710738e-10));
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(seed);
+    const ArmResult result = find_arm_closures(arm, pose, lanes(), one_thread(seed));
+    EXPECT_EQ(result.closures.size(), 4U);
+    for (const ArmClosure& closure : result.closures) EXPECT_LT(closure.residual, 2e-14);
+    EXPECT_FALSE(result.moves.empty());
   }
 }
 
