@@ -101,9 +101,9 @@ void look_for_witnesses(ClosureSearch& search) {
       note_misfit(search, closure_at(search, pose));
     }
     if (pose.status != NewtonStatus::converged) continue;
-    if (pose.is_singular && !has_found && !search.mechanism.fit && lies_on_motion(search, q)) {
-      return;
-    }
+    // Within a fit a pose is singular that stands alone as typed, unless it closes as typed.
+    const bool may_move = !search.mechanism.fit || closes(search, pose);
+    if (pose.is_singular && !has_found && may_move && lies_on_motion(search, q)) return;
     if (!shows_a_loss(search, pose)) continue;
     ++search.rootless;
     return;

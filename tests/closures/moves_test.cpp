@@ -262,6 +262,47 @@ TEST(Moves, NotAFoldedPairOnATriangleThatCannotBeAssembled) {
   EXPECT_EQ(result.message, "cannot be assembled: a part of it closes in complex numbers only");
 }
 
+TEST(Moves, ALinkThatTurnsInALoopInLineAlsoWithinAFit) {
+  const std::string loop = R"toml(
+space = "spatial"
+[ground.points]
+O = [0, 0, 0]
+[body.b1.points]
+O = [0, 0, 0]
+A = [1, 0, 0]
+[body.b2.points]
+A = [1, 0, 0]
+B = [3, 0, 0]
+[body.b3.points]
+B = [3, 0, 0]
+O = [0, 0, 0]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.O", "b1.O"]
+axis = [1, 0, 0]
+[[joint]]
+type = "universal"
+at = ["b1.A", "b2.A"]
+axis = [[0, 0, 1], [1, 0, 0]]
+[[joint]]
+type = "spherical"
+at = ["b2.B", "b3.B"]
+[[joint]]
+type = "revolute"
+at = ["b3.O", "ground.O"]
+axis = [0, 0.6, 0.8]
+[[driver]]
+angle = "j0"
+start = 0
+)toml";
+  for (const std::string fit : {"", "fit = 1e-3\n"}) {
+    const ClosureResult result = closures_of(mechanism_text(fit + loop));
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_TRUE(result.moves) << fit << result.message;
+  }
+}
+
 TEST(Moves, IsUndecidedWhereNoRealPoseIsFound) {
   const ClosureResult result = closures_of(mechanism_text(
       "[unknowns]\nlengths = [\"x\", \"y\"]\n[equations]\ncircle = \"x^2 + y^2 + 1\"\n"));
