@@ -17,6 +17,7 @@
 #include "moivre/family/parameter_homotopy.h"
 #include "moivre/numeric/integer.h"
 #include "moivre/numeric/invalid_input.h"
+#include "moivre/polynomial/double_range.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/polynomial/write.h"
 #include "moivre/report/info.h"
@@ -94,7 +95,7 @@ System system_of_terms(std::vector<std::string> variables, const py::sequence& e
     system.polynomials.push_back(
         polynomial_of(exact_coefficients(coefficients), exponents, system.variables.size()));
   }
-  return system;
+  return held_by_double(std::move(system));
 }
 
 /// Its unknowns numbered anew.

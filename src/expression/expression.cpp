@@ -111,6 +111,7 @@ struct Builder {
   std::string_view text;
   SourcePosition begin;
   std::vector<Diagnostic>& faults;
+  NumberRange range = NumberRange::of_double;
   /// Takes the summands of the whole text; empty when the text is to become one tree.
   std::function<void(const Expression&)> take = {};
   std::vector<Expression> stack = {};
@@ -178,7 +179,7 @@ template <>
 struct Action<grammar::number> {
   template <class Match>
   static void apply(const Match& in, Builder& b) {
-    ParsedNumber parsed = parse_number(in.string_view());
+    ParsedNumber parsed = parse_number(in.string_view(), b.range);
     if (!parsed.refusal.empty()) {
       b.faults.push_back({position_of(in), parsed.refusal});
       parsed.value = 1;  // so that what stands around it is judged by itself
@@ -489,14 +490,15 @@ bool build(Builder& builder) {
 }  // namespace
 
 Expression parse_expression(std::string_view text, SourcePosition begin,
-                            std::vector<Diagnostic>& faults) {
-  Builder builder{.text = text, .begin = begin, .faults = faults};
+                            std::vector<Diagnostic>& faults, NumberRange range) {
+  Builder builder{.text = text, .begin = begin, .faults = faults, .range = range};
   return build(builder) ? std::move(builder.stack.back()) : Expression{};
 }
 
 void parse_summands(std::string_view text, SourcePosition begin, std::vector<Diagnostic>& faults,
                     const std::function<void(const Expression&)>& take) {
-  Builder builder{.text = text, .begin = begin, .faults = faults, .take = take};
+  Builder builder{
+      .text = text, .begin = begin, .faults = faults, .range = NumberRange::any, .take = take};
   build(builder);
 }
 

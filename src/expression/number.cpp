@@ -14,7 +14,7 @@ namespace moivre {
 namespace {
 
 /// Reading and reducing costs the square of the digits; no data of a mechanism has as many.
-constexpr std::size_t kMaximumDigits = 5000;
+constexpr long long kMaximumDigits = 5000;
 /// A number in [10^(k-1), 10^k) is below the least denormal, 4.9e-324, for k <= kTooSmall, and
 /// above the greatest double, 1.8e308, for k >= kTooLarge.
 constexpr long long kTooSmall = -325;
@@ -74,21 +74,25 @@ std::string quoted(std::string_view text) {
 
 }  // namespace
 
-ParsedNumber parse_number(std::string_view text) {
+ParsedNumber parse_number(std::string_view text, NumberRange range) {
   const Decimal decimal = split(text);
   if (decimal.digits.empty()) return {};
+  const auto digits = static_cast<long long>(decimal.digits.size());
+  const long long magnitude = digits + decimal.exponent;
+  const std::string too_long =
+      "the number " + quoted(text) + " has more than " + std::to_string(kMaximumDigits) + " digits";
+  if (range == NumberRange::any) {
+    const long long longest = std::max({digits, magnitude, -decimal.exponent});
+    if (longest > kMaximumDigits) return {.value = {}, .refusal = too_long};
+    return {.value = value_of(decimal), .refusal = {}};
+  }
   const std::string too_large =
       "the number " + quoted(text) + " is beyond the range of double (1.8e308)";
   const std::string too_small =
       "the number " + quoted(text) + " is not zero but below the range of double (4.9e-324)";
-  const long long magnitude = static_cast<long long>(decimal.digits.size()) + decimal.exponent;
   if (magnitude >= kTooLarge) return {.value = {}, .refusal = too_large};
   if (magnitude <= kTooSmall) return {.value = {}, .refusal = too_small};
-  if (decimal.digits.size() > kMaximumDigits) {
-    return {.value = {},
-            .refusal = "the number " + quoted(text) + " has more than " +
-                       std::to_string(kMaximumDigits) + " digits"};
-  }
+  if (digits > kMaximumDigits) return {.value = {}, .refusal = too_long};
   Rational value = value_of(decimal);
   const double rounded = to_double(value);
   if (std::isinf(rounded)) return {.value = {}, .refusal = too_large};

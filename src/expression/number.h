@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which exact number does a decimal text stand for, and is it one that a double can hold?
+// Which exact number does a decimal text stand for, and is it one that may stand there?
 #pragma once
 
 #include <string>
 #include <string_view>
 
+#include "moivre/expression/expression.h"
 #include "moivre/numeric/rational.h"
 
 namespace moivre {
@@ -17,6 +18,6 @@ struct ParsedNumber {
 
 /// `text` is digits with an optional point and an optional exponent. The exponent is judged before
 /// a power of ten is made, so 1e999999999 costs nothing.
-ParsedNumber parse_number(std::string_view text);
+ParsedNumber parse_number(std::string_view text, NumberRange range);
 
 }  // namespace moivre

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "moivre/numeric/integer.h"
+#include "moivre/polynomial/double_range.h"
 #include "moivre/polynomial/scale.h"
 
 namespace moivre {
@@ -56,6 +58,15 @@ Rational error_of(const Rational& a, double least) {
   return was_double ? std::max(half_unit(decimals), as_double) : half_unit(decimals);
 }
 
+/// Its equations without what brought them into double's range.
+System as_typed(System f) {
+  for (std::size_t i = 0; i < f.scaled_log2.size(); ++i) {
+    f.polynomials[i] = times_power_of_two(std::move(f.polynomials[i]), -f.scaled_log2[i]);
+  }
+  f.scaled_log2.clear();
+  return f;
+}
+
 double error_of(const Coefficient& c, double least) {
   double largest = 0;
   for (const Rational* part : {&c.re, &c.im}) {
@@ -73,6 +84,7 @@ bool is_rounded(const Rational& a) { return !error_of(a, kRoundedDigits).is_zero
 
 CoefficientErrors coefficient_errors(const System& f) {
   if (f.is_exact) return {};
+  if (!f.scaled_log2.empty()) return coefficient_errors(as_typed(f));
   const auto are_rounded = [](const Polynomial& p) {
     return std::any_of(p.terms.begin(), p.terms.end(), [](const Term& term) {
       return error_of(term.coefficient, kRoundedDigits) > 0;

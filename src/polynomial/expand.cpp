@@ -4,7 +4,6 @@
 #include "expand.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "moivre/expression/words.h"
 #include "moivre/numeric/integer.h"
 #include "moivre/polynomial/digits.h"
+#include "moivre/polynomial/double_range.h"
 #include "number_functions.h"
 
 namespace moivre {
@@ -202,22 +202,7 @@ std::string quoted(const Integer& n) {
   return bit_length(n) > kQuotedBits ? std::string() : ' ' + n.str();
 }
 
-bool is_out_of_range(const Rational& r) {
-  const double rounded = to_double(r);
-  return std::isinf(rounded) || (rounded == 0.0 && !r.is_zero());
-}
-
-/// A fault where a coefficient, exact as it is, rounds to infinity or, not being zero, to zero.
-void check_range(const Polynomial& p, const SourcePosition& at, std::vector<Diagnostic>& faults) {
-  const auto is_fault = [](const Term& term) {
-    return is_out_of_range(term.coefficient.re) || is_out_of_range(term.coefficient.im);
-  };
-  if (std::any_of(p.terms.begin(), p.terms.end(), is_fault)) {
-    faults.push_back({at,
-                      "multiplied out, a coefficient is out of the range of double "
-                      "(4.9e-324 to 1.8e308)"});
-  }
-}
+std::string not_held() { return std::string("multiplied out, ") + kBeyondDouble; }
 
 }  // namespace
 
@@ -249,9 +234,7 @@ std::optional<Polynomial> Expander::expand(std::string_view text, const SourcePo
     add_summand(summand, names, sum);
   });
   if (faults_.size() > faults_before) return std::nullopt;
-  Polynomial polynomial = to_polynomial(std::move(sum.terms));
-  check_range(polynomial, begin, faults_);
-  return polynomial;
+  return to_polynomial(std::move(sum.terms));
 }
 
 void Expander::add_summand(const Expression& summand, const Environment& names, Sum& sum) {
@@ -374,7 +357,10 @@ Expander::Value Expander::reciprocal_of(const Polynomial& p, const SourcePositio
     whole = leading * whole;
     const auto known = std::find(denominators_.begin(), denominators_.end(), whole);
     const auto k = static_cast<std::uint32_t>(known - denominators_.begin());
-    if (known == denominators_.end()) denominators_.push_back(std::move(whole));
+    if (known == denominators_.end()) {
+      if (!log2_into_double(whole)) throw Excess(not_held());
+      denominators_.push_back(std::move(whole));
+    }
     return product(leading * unknown(kFirstReciprocal + k), std::move(factor), account);
   });
 }
@@ -418,6 +404,22 @@ std::optional<Polynomial> Expander::cleared(const Polynomial& p, const SourcePos
     Polynomial factor = constant(1);
     return without_reciprocals(p, factor, account);
   });
+}
+
+bool Expander::add_equation(const Polynomial& p, const SourcePosition& at, System& system) {
+  std::optional<Polynomial> whole = cleared(p, at);
+  if (!whole) return false;
+  const bool is_held = moivre::add_equation(std::move(*whole), system);
+  if (!is_held) refuse(at, not_held());
+  return is_held;
+}
+
+std::vector<Polynomial> Expander::denominators() const {
+  std::vector<Polynomial> held;
+  for (const Polynomial& p : denominators_) {
+    held.push_back(times_power_of_two(p, *log2_into_double(p)));
+  }
+  return held;
 }
 
 std::optional<Polynomial> Expander::expand_equation(std::string_view text,

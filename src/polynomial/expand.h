@@ -29,8 +29,9 @@ inline constexpr std::size_t kMaximumBits = 17'000;
 class Account;
 
 /// Parses and expands the expressions of one file. Faults (of the grammar, an exponent that is no
-/// integer, an unknown name, a limit passed, a coefficient out of double's range) are appended to
-/// the list given; all those of an expression are.
+/// integer, an unknown name, a limit passed) are appended to the list given; all those of an
+/// expression are. Only what is kept of a file, an equation, a denominator, a condition, has to be
+/// held by double (double_range.h).
 ///
 /// 1/d of a polynomial d is an unknown of its own until the denominators are cleared: unknown
 /// kFirstReciprocal + k is 1/d_k.
@@ -51,12 +52,13 @@ class Expander {
   std::optional<Polynomial> expand_equation(std::string_view text, const SourcePosition& begin,
                                             const Environment& names);
 
-  /// The polynomial times the least powers of denominators that leave no reciprocal in it; nullopt
-  /// and a fault at `at` where a limit is passed.
-  std::optional<Polynomial> cleared(const Polynomial& p, const SourcePosition& at);
+  /// Adds p = 0, times the least powers of denominators that leave no reciprocal in it, to the
+  /// system's equations; false and a fault at `at` where a limit is passed or double holds no
+  /// multiple of it.
+  bool add_equation(const Polynomial& p, const SourcePosition& at, System& system);
 
-  /// By which the expressions so far divide: monic, none constant, none twice.
-  const std::vector<Polynomial>& denominators() const { return denominators_; }
+  /// By which the expressions so far divide: none constant, none twice, each held by double.
+  std::vector<Polynomial> denominators() const;
 
   /// Among the numbers of all expressions so far (digits.h).
   bool has_rounded_number() const { return has_rounded_number_; }
@@ -79,6 +81,7 @@ class Expander {
   Value root_of_number(const Coefficient& base, const Rational& exponent, const SourcePosition& at);
   Value rounded_number(const std::optional<Rational>& number, const SourcePosition& at,
                        const std::string& what);
+  std::optional<Polynomial> cleared(const Polynomial& p, const SourcePosition& at);
   Polynomial without_reciprocals(const Polynomial& p, Polynomial& factor, Account& account) const;
   Value power(const Expression& e, const Environment& names);
   Value named(const Expression& e, const Environment& names);
@@ -89,7 +92,7 @@ class Expander {
   Value within_limits(const SourcePosition& at, Operation operation);
 
   std::vector<Diagnostic>& faults_;
-  std::vector<Polynomial> denominators_;
+  std::vector<Polynomial> denominators_;  // monic
   std::uint64_t work_ = 0;
   bool has_rounded_number_ = false;
 };

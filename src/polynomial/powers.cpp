@@ -10,6 +10,7 @@
 
 #include "integer_polynomial.h"
 #include "modular_line.h"
+#include "moivre/polynomial/double_range.h"
 
 namespace moivre {
 namespace {
@@ -144,7 +145,8 @@ PowerOf as_power(const Polynomial& f) {
   const std::uint64_t most = most_exponent(monic);
   for (auto e = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, common)); e > 1; --e) {
     if (common % e != 0) continue;
-    if (auto base = base_of(monic, e)) return {std::move(*base), e};
+    auto base = base_of(monic, e);
+    if (base && log2_into_double(*base)) return {std::move(*base), e};
   }
   return {f, 1};
 }
@@ -153,13 +155,17 @@ PowerOf as_power(const Polynomial& f) {
 
 PowerFree power_free(const System& f) {
   PowerFree result{f, {}, 1};
+  std::vector<int>& scaled = result.system.scaled_log2;
   for (Polynomial& p : result.system.polynomials) {
     const PowerOf power = degree(p) > 0 ? as_power(p) : PowerOf{p, 1};
     const bool fits = result.sheets <= std::numeric_limits<std::uint64_t>::max() / power.exponent;
     result.exponents.push_back(fits ? power.exponent : 1);
     result.sheets *= result.exponents.back();
-    if (result.exponents.back() > 1)
-      p = to_polynomial(IntegerPolynomial{to_integer(power.base).terms});
+    if (result.exponents.back() == 1) continue;
+    const Polynomial base = to_polynomial(IntegerPolynomial{to_integer(power.base).terms});
+    scaled.resize(f.polynomials.size());
+    scaled[result.exponents.size() - 1] = log2_into_double(base).value_or(0);
+    p = times_power_of_two(base, scaled[result.exponents.size() - 1]);
   }
   return result;
 }

@@ -361,10 +361,9 @@ System BertiniReader::read(const std::vector<Statement>& statements) {
   for (const std::string& name : functions_) {
     const auto value = names_.find(name);
     if (value == names_.end() || !value->second) continue;
-    auto cleared = expander_.cleared(*value->second, declared_.find(name)->second.at);
-    if (!cleared) continue;
-    check_homogeneous(name, *cleared);
-    system.polynomials.push_back(std::move(*cleared));
+    const bool is_added =
+        expander_.add_equation(*value->second, declared_.find(name)->second.at, system);
+    if (is_added) check_homogeneous(name, system.polynomials.back());
   }
   system.denominators = expander_.denominators();
   return system;

@@ -2,6 +2,7 @@
 // Which roots does an inequality ask for? x > 0 and 0 < x*y <= 2, as conditions p > 0 or p >= 0.
 #include <algorithm>
 
+#include "moivre/polynomial/double_range.h"
 #include "moivre/polynomial/read.h"
 #include "read_formats.h"
 
@@ -84,7 +85,9 @@ bool is_condition(std::string_view text) {
 
 bool parses_as_condition(const Statement& statement) {
   std::vector<Diagnostic> faults;
-  for (const Side& side : sides_of(statement)) parse_expression(side.text, side.begin, faults);
+  for (const Side& side : sides_of(statement)) {
+    parse_expression(side.text, side.begin, faults, NumberRange::any);
+  }
   return faults.empty();
 }
 
@@ -109,7 +112,10 @@ void read_condition(const Statement& statement, const Environment& names, System
   for (std::size_t k = 0; k + 1 < sides.size(); ++k) {
     const Polynomial& left = *values[k];
     const Polynomial& right = *values[k + 1];
-    Condition condition{sides[k].sign == '>' ? left - right : right - left, sides[k].is_strict,
+    const Polynomial difference = sides[k].sign == '>' ? left - right : right - left;
+    const std::optional<int> power = log2_into_double(difference);
+    if (!power) faults.push_back({sides[k].begin, std::string("multiplied out, ") + kBeyondDouble});
+    Condition condition{times_power_of_two(difference, power.value_or(0)), sides[k].is_strict,
                         typed(sides[k], sides[k + 1])};
     if (!is_real(condition.p)) {
       faults.push_back({sides[k].begin, "a condition has real coefficients"});

@@ -103,8 +103,7 @@ void add_polynomials(const std::vector<Piece>& pieces, const Environment& names,
                      std::vector<Diagnostic>& faults, System& system) {
   for (const Piece& piece : pieces) {
     const auto typed = expander.expand(piece.text, piece.begin, names);
-    auto whole = typed ? expander.cleared(*typed, piece.begin) : std::nullopt;
-    if (whole) system.polynomials.push_back(std::move(*whole));
+    if (typed) expander.add_equation(*typed, piece.begin, system);
   }
   if (pieces.empty()) faults.push_back({{}, "the file holds no polynomial"});
   system.denominators = expander.denominators();

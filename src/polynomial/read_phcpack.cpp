@@ -169,7 +169,7 @@ bool reads_like_mathematics(std::string_view text) {
 /// Does the text behind the last `;` parse as a polynomial that lost its own?
 bool is_expression(const Statement& rest) {
   std::vector<Diagnostic> faults;
-  parse_expression(rest.text, rest.begin, faults);
+  parse_expression(rest.text, rest.begin, faults, NumberRange::any);
   return faults.empty();
 }
 
@@ -368,10 +368,7 @@ System read_phcpack(const Source& source, std::vector<Diagnostic>& faults) {
       continue;
     }
     const auto typed = expander.expand_equation(statement.text, statement.begin, names);
-    std::optional<Polynomial> polynomial =
-        typed ? expander.cleared(*typed, statement.begin) : std::nullopt;
-    if (!polynomial) continue;
-    system.polynomials.push_back(std::move(*polynomial));
+    if (typed) expander.add_equation(*typed, statement.begin, system);
   }
   system.is_exact = !expander.has_rounded_number() && !names_pi(layout.polynomials, source.text);
   system.denominators = expander.denominators();

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "moivre/numeric/invalid_input.h"
+#include "moivre/polynomial/double_range.h"
 #include "moivre/polynomial/system.h"
 
 namespace moivre {
@@ -113,7 +114,7 @@ std::vector<std::string> broken_rules(const Condition& condition, std::size_t un
 System make_system(std::vector<std::string> variables, std::vector<Polynomial> polynomials) {
   System f{std::move(variables), std::move(polynomials)};
   require_unbroken(broken_rules(f));
-  return f;
+  return held_by_double(std::move(f));
 }
 
 }  // namespace moivre

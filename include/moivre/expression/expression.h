@@ -53,17 +53,23 @@ struct Expression {
   std::vector<Expression> operands;
 };
 
+/// Which numbers may stand in an expression? None of more than 5000 digits.
+enum class NumberRange {
+  of_double,  ///< zero, and what rounds to neither zero nor infinity
+  any         ///< written out, 1e400 has 401 digits and 1e-400 has 400
+};
+
 /// Parses all of `text` (a piece of a source that begins at `begin`) as one expression.
 /// Appended to `faults`: the first fault of the grammar in each summand, every unmatched
-/// parenthesis, and every number that is out of double's range (nonzero ones that round to 0 too)
-/// or has more than 5000 digits. Such a number is 1 in the tree. After a fault the result must not
-/// be used.
+/// parenthesis, and every number that may not stand there. Such a number is 1 in the tree. After a
+/// fault the result must not be used.
 Expression parse_expression(std::string_view text, SourcePosition begin,
-                            std::vector<Diagnostic>& faults);
+                            std::vector<Diagnostic>& faults,
+                            NumberRange range = NumberRange::of_double);
 
-/// The same for a sum that may be long: each summand, with its sign, is handed on as soon as it is
-/// read and then forgotten. After a summand with a fault, correct summands are still handed on,
-/// without their signs.
+/// The same for a sum that may be long, of any numbers: each summand, with its sign, is handed on
+/// as soon as it is read and then forgotten. After a summand with a fault, correct summands are
+/// still handed on, without their signs.
 void parse_summands(std::string_view text, SourcePosition begin, std::vector<Diagnostic>& faults,
                     const std::function<void(const Expression&)>& take);
 

@@ -134,6 +134,9 @@ struct System {
   /// Inequalities that stand among the equations. solve() finds all roots whatever they say, and
   /// keep_wanted() judges them (solver/filter.h).
   std::vector<Condition> conditions = {};
+  /// Equation i is 2^scaled_log2[i] times what was typed, which double does not hold
+  /// (double_range.h); 0 and behind the end: it is as typed.
+  std::vector<int> scaled_log2 = {};
 
   /// The same equations in the same unknowns. Groups tell how to look for roots, and conditions
   /// which are wanted, not which equations hold.
@@ -149,7 +152,8 @@ struct System {
 std::vector<std::string> broken_rules(const System& f);
 /// The same of a condition in so many unknowns; its coefficients are real, too.
 std::vector<std::string> broken_rules(const Condition& condition, std::size_t unknowns);
-/// The polynomials in unknowns of these names. Throws InvalidInput with every broken rule.
+/// The polynomials in unknowns of these names, as double holds them (double_range.h). Throws
+/// InvalidInput with every broken rule.
 System make_system(std::vector<std::string> variables, std::vector<Polynomial> polynomials);
 
 std::vector<std::uint64_t> degrees(const System& f);
