@@ -70,6 +70,11 @@ std::shared_ptr<const Certificate> Prover::prove_in_double(const Point& x) {
   return is_settled ? certificate : nullptr;
 }
 
+std::shared_ptr<const Certificate> Prover::sharpened(const Certificate& proof, int bits) {
+  auto finer = std::make_shared<Certificate>(proof);
+  return certifier_.sharpen(*finer, bits) ? finer : nullptr;
+}
+
 std::vector<std::vector<std::uint64_t>> groups_of(const Run& run) {
   std::vector<std::vector<std::uint64_t>> groups = groups_beside_sets(run);
   const auto& program = run.setting.certify_program;

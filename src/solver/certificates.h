@@ -36,6 +36,8 @@ class Prover {
   std::shared_ptr<const Certificate> prove(const Point& x);
   /// The same in double alone, nullptr as well where more digits have more to tell.
   std::shared_ptr<const Certificate> prove_in_double(const Point& x);
+  /// The same root in so many bits; nullptr where they tell no more.
+  std::shared_ptr<const Certificate> sharpened(const Certificate& proof, int bits);
 
  private:
   Certifier certifier_;

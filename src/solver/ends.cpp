@@ -30,6 +30,10 @@ constexpr double kRoundingOfF = 2e-15;
 // Of a root that is not simple.
 constexpr int kLeastMultiplicity = 2;
 
+// Beside the terms of F, at a root of which double holds every coordinate to some digits: F is
+// rounding there. Where it is not, a coordinate has none: 7e-211 beside an error of 1e-20.
+constexpr double kDigitsResidual = 0x1p-26;
+
 // A thread is worth waking for so many ends to refine.
 constexpr std::size_t kEndsOfAThread = 16;
 
@@ -68,6 +72,13 @@ bool prove(const Run& run, Tools& tools, const PathEnd& end, const Point& x, dou
     return false;
   }
   root.point = refiner.take(*certificate);
+  for (int bits = kMostProofBits; bits <= kMostArbBits; bits *= 2) {
+    if (root.point.residual <= kDigitsResidual) break;
+    const auto sharper = prover.sharpened(*certificate, bits);
+    if (!sharper) continue;
+    certificate = sharper;
+    root.point = refiner.take(*certificate);
+  }
   root.certificate = certificate;
   root.tolerance = simple_tolerance(root.point);
   return true;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "moivre/polynomial/read.h"
 
 namespace moivre {
@@ -66,6 +68,17 @@ TEST(PowerFree, MultipliesTheExponentsOfASystem) {
   EXPECT_EQ(result.exponents, (std::vector<std::uint64_t>{2, 1, 4}));
   EXPECT_EQ(result.sheets, 8U);
   EXPECT_EQ(result.system.variables, f.variables);
+}
+
+TEST(PowerFree, GivesBasesThatDoubleHolds) {
+  const System f = read_system({"test", "((10^400 + 7)*x - 10^400 - 9)^2;"});
+  const PowerFree result = power_free(f);
+  EXPECT_EQ(result.sheets, 2U);
+  const Polynomial& base = result.system.polynomials.front();
+  ASSERT_EQ(base.terms.size(), 2U);
+  for (const Term& term : base.terms) EXPECT_TRUE(std::isnormal(to_double(term.coefficient.re)));
+  EXPECT_TRUE(is_multiple(base * base, f.polynomials.front()));
+  EXPECT_EQ(result.system.scaled_log2.size(), 1U);
 }
 
 TEST(PowerFree, IsQuickWherePowersAreLargeOrThereAreNone) {

@@ -98,6 +98,14 @@ class PlantedFaults(unittest.TestCase):
 
         self.assertEqual(judged("near-pair-exact.phc", fault).kind, WRONG)
 
+    def test_a_root_without_a_right_digit_is_wrong(self):
+        def fault(answer):
+            least = min(answer.json["solutions"], key=lambda root: abs(root["x"][0][0]))
+            least["x"][0][0] = 0.0
+
+        self.assertEqual(judged("refused-msolve358.phc", nothing).kind, RIGHT)
+        self.assertEqual(judged("refused-msolve358.phc", fault).kind, WRONG)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -63,6 +63,18 @@ TEST(Certified, CompletenessIsProvedWhereABoundIsMet) {
   }
 }
 
+TEST(Certified, CoefficientsBeyondDoubleAreNoHindrance) {
+  const auto times = [](const std::string& factor) {
+    return read_system(
+        {"test", factor + "*(x^2 + 3*x*y - 10) = 0\n2e-900*x*y - 3e-900*y = 1e-901\n"});
+  };
+  const System moderate = times("1");
+  const System huge = times("1e400");
+  for (const System& f : {moderate, huge}) {
+    expect_proved(f, 1, 3, 3, "dimension of the quotient ring");
+  }
+}
+
 TEST(Certified, ExactAlgebraProvesWhateverTheStart) {
   SolveOptions options = with_seed(2);
   options.start = StartKind::total_degree;
