@@ -64,14 +64,19 @@ TEST(Certified, CompletenessIsProvedWhereABoundIsMet) {
 }
 
 TEST(Certified, CoefficientsBeyondDoubleAreNoHindrance) {
-  const auto times = [](const std::string& factor) {
-    return read_system(
-        {"test", factor + "*(x^2 + 3*x*y - 10) = 0\n2e-900*x*y - 3e-900*y = 1e-901\n"});
-  };
-  const System moderate = times("1");
-  const System huge = times("1e400");
-  for (const System& f : {moderate, huge}) {
-    expect_proved(f, 1, 3, 3, "dimension of the quotient ring");
+  for (const char* factor : {"1", "1e400", "1e-4000"}) {
+    const System f = read_system({"test", factor + std::string("*(x^2 + 3*x*y - 10) = 0\n") +
+                                              "2e-900*x*y - 3e-900*y = 1e-901\n"});
+    expect_proved(f, 1, 3, 3, "multihomogeneous number");
+  }
+}
+
+TEST(Certified, ARootNextToZeroHasItsDigits) {
+  const System f = read_system({"test", "(x - 1)*(x + 2)*(x - 1e-200);"});
+  for (const SolveResult& result : solved_by_lanes(f, 1, 5)) {
+    double least = 1;
+    for (const Solution& root : result.solutions) least = std::min(least, std::abs(root.x[0]));
+    EXPECT_NEAR(least / 1e-200, 1, 1e-15) << result.seed;
   }
 }
 
