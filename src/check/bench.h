@@ -70,6 +70,8 @@ void judge_bound(const Claims& claims, const StandIn& stand_in, Verdicts& verdic
                  const std::atomic<bool>& stop);
 /// Digits beyond double (src/check/digits.cpp).
 void judge_digits(Bench& bench);
+/// Of the root that Newton's method finds from these digits; undecided where there are none.
+Certificate certificate_at_digits(const Bench& bench, const RootClaim& root);
 /// Distinct, real, conjugates (src/check/relations.cpp); counts the roots.
 void judge_relations(Bench& bench);
 

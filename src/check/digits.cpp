@@ -89,6 +89,11 @@ Fit fit(const std::string& text, const Rational& part, double error, const Ratio
   return off > unit + slack ? Fit::wrong : Fit::unknown;
 }
 
+int bits_of_digits(const Bench& bench) {
+  const int digits = bench.claims.digits.value_or(0);
+  return std::clamp(kBitsPerDigit * digits + kSpareBits, kFirstArbBits, kMostArbBits);
+}
+
 void judge_root(Bench& bench, Entry& entry, std::size_t number) {
   const RootClaim& root = bench.claims.roots[number - 1];
   if (root.x_digits.size() != root.x.size()) {
@@ -100,7 +105,7 @@ void judge_root(Bench& bench, Entry& entry, std::size_t number) {
   }
   const int digits = bench.claims.digits.value_or(0);
   Certificate c = entry.certificate;
-  const int bits = std::clamp(kBitsPerDigit * digits + kSpareBits, kFirstArbBits, kMostArbBits);
+  const int bits = bits_of_digits(bench);
   if (bits > c.bits) bench.certifier.sharpen(c, bits);
   const Rational vanishing =
       Rational(std::max(1.0, max_norm(root.x))) * power_of_ten(1 - std::max(1, digits));
@@ -118,6 +123,31 @@ void judge_root(Bench& bench, Entry& entry, std::size_t number) {
 }
 
 }  // namespace
+
+Certificate certificate_at_digits(const Bench& bench, const RootClaim& root) {
+  const std::size_t n = root.x.size();
+  if (root.x_digits.size() != n || bench.stand_in.has_patches()) return {};
+  const int bits = bits_of_digits(bench);
+  // A sum of doubles, largest first.
+  std::vector<Point> parts(1 + static_cast<std::size_t>(bits / kDoubleBits), Point(n));
+  for (std::size_t j = 0; j < n; ++j) {
+    const auto re = read_decimal(root.x_digits[j].re);
+    const auto im = read_decimal(root.x_digits[j].im);
+    if (!re || !im) return {};
+    Coefficient rest{re->value, im->value};
+    for (Point& part : parts) {
+      part[j] = to_complex(rest);
+      if (!is_finite(part[j])) return {};
+      rest = rest - Coefficient(part[j]);
+    }
+  }
+  const std::vector<Point> finer(parts.begin() + 1, parts.end());
+  Certificate c;
+  for (int more = bits; !c.holds_root() && more <= kMostArbBits; more *= 2) {
+    c = bench.certifier.certify_near(parts.front(), finer, more);
+  }
+  return c;
+}
 
 void judge_digits(Bench& bench) {
   if (!bench.claims.digits || bench.stand_in.has_patches() || !bench.stand_in.proves_roots) return;

@@ -114,7 +114,12 @@ void judge_farther(Bench& bench, Entry& entry, const RootClaim& root, std::size_
 
 void judge_regular(Bench& bench, Entry& entry, const RootClaim& root, std::size_t number) {
   Verdicts& verdicts = bench.verdicts;
-  entry.certificate = bench.certifier.certify(entry.x);
+  // Of roots that double does not tell apart digits say which one is claimed.
+  entry.certificate = certificate_at_digits(bench, root);
+  const bool is_claimed =
+      entry.certificate.holds_root() &&
+      sharp_distance(bench.certifier, entry.certificate, entry.x, entry.reach).most <= entry.reach;
+  if (!is_claimed) entry.certificate = bench.certifier.certify(entry.x);
   if (!entry.certificate.holds_root()) {
     // Between two roots that double does not tell apart J is singular.
     entry.certificate = certificate_beside(bench, entry, [](const Certificate&) { return true; });

@@ -55,6 +55,39 @@ TEST(CheckCommand, PassesWhatSolveSaysOfItsProblems) {
   }
 }
 
+TEST(CheckCommand, FindsWhichOfTwoRootsWithOneDoubleIsClaimed) {
+  if (!MOIVRE_WITH_CERTIFY) GTEST_SKIP() << "needs more digits";
+  const Scene scene;
+  scene.write("near.phc",
+              "(1e60*x - 606980913381131154936909844056454082055736521972196800997507)*"
+              "(1e60*x - 606980913381131154936909844056454082055636521972196800997507);");
+  for (const char* seed : {"101", "102", "103", "104", "105"}) {
+    const Outcome solved = scene.run(
+        {"solve", "near.phc", "--tracker", "lanes", "--seed", seed, "--quiet", "--json", "r.json"});
+    ASSERT_EQ(solved.exit_code, 0) << solved.err;
+    const Outcome outcome = scene.run({"check", "near.phc", "r.json"});
+    EXPECT_EQ(outcome.exit_code, 0) << seed << '\n' << outcome.out << outcome.err;
+  }
+}
+
+TEST(CheckCommand, JudgesSystemsBeyondDouble) {
+  if (!MOIVRE_WITH_CERTIFY) GTEST_SKIP() << "needs more digits";
+  const Scene scene;
+  scene.write("f.phc", "1e400*(x^2 + 3*x*y - 10); 2e-400*x*y - 3e-400*y + 1e-401;");
+  for (const char* tracker : {"lanes", "cvode"}) {
+    const Outcome solved =
+        scene.run({"solve", "f.phc", "--tracker", tracker, "--quiet", "--json", "r.json"});
+    ASSERT_EQ(solved.exit_code, 0) << solved.err;
+    EXPECT_EQ(Json::parse(scene.read("r.json"))["completeness"], "proved");
+    const Outcome outcome = scene.run({"check", "f.phc", "r.json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  }
+  scene.write("apart.phc", "1e400*x - 1e-400*y; x*y - 1;");
+  const Outcome refused = scene.run({"solve", "apart.phc"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_TRUE(contains(refused.err, "out of the range of double")) << refused.err;
+}
+
 TEST(CheckCommand, RefutesARootThatDoesNotMeetAConditionOfTheFile) {
   const Scene scene;
   const std::string circle = "x^2 + y^2 = 5\nx*y = 2\n";  // +-(1, 2), +-(2, 1)
