@@ -71,6 +71,7 @@ System member_system(const Family& family, const ParameterValues& p) {
   for (const Polynomial& polynomial : family.system.polynomials) {
     member.polynomials.push_back(substituted(polynomial, family.unknowns(), p));
   }
+  member.scaled_log2 = family.system.scaled_log2;
   return member;
 }
 

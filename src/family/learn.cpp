@@ -156,6 +156,7 @@ Family unlearned_family(const System& system, const std::vector<NamedParameter>&
   for (const Polynomial& p : system.polynomials) {
     family.system.polynomials.push_back(renumbered(p, place));
   }
+  family.system.scaled_log2 = system.scaled_log2;
   for (const NamedParameter& parameter : parameters) family.sizes.push_back(parameter.size);
   return family;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "moivre/numeric/integer.h"
 #include "moivre/polynomial/double_range.h"
@@ -56,15 +55,6 @@ Rational error_of(const Rational& a, double least) {
   if (digits < kRoundedDigits - 1) return half_unit(decimals + 1);
   const bool was_double = digits >= kDoubleDigits - 1 && digits < kMostDoubleDigits;
   return was_double ? std::max(half_unit(decimals), as_double) : half_unit(decimals);
-}
-
-/// Its equations without what brought them into double's range.
-System as_typed(System f) {
-  for (std::size_t i = 0; i < f.scaled_log2.size(); ++i) {
-    f.polynomials[i] = times_power_of_two(std::move(f.polynomials[i]), -f.scaled_log2[i]);
-  }
-  f.scaled_log2.clear();
-  return f;
 }
 
 double error_of(const Coefficient& c, double least) {

@@ -80,4 +80,12 @@ System held_by_double(System f) {
   return f;
 }
 
+System as_typed(System f) {
+  for (std::size_t i = 0; i < f.scaled_log2.size(); ++i) {
+    f.polynomials[i] = times_power_of_two(std::move(f.polynomials[i]), -f.scaled_log2[i]);
+  }
+  f.scaled_log2.clear();
+  return f;
+}
+
 }  // namespace moivre

@@ -9,6 +9,7 @@
 #include "moivre/expression/joined.h"
 #include "moivre/numeric/integer.h"
 #include "moivre/numeric/invalid_input.h"
+#include "moivre/polynomial/double_range.h"
 #include "read_formats.h"
 
 namespace moivre {
@@ -251,6 +252,7 @@ std::string bertini_text(const System& f) {
 }  // namespace
 
 std::string to_text(const System& f, PolynomialFormat format) {
+  if (!f.scaled_log2.empty()) return to_text(as_typed(f), format);
   return format == PolynomialFormat::bertini ? bertini_text(f) : phcpack_text(f);
 }
 

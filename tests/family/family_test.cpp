@@ -5,6 +5,7 @@
 
 #include "families.h"
 #include "moivre/family/member.h"
+#include "moivre/polynomial/digits.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 
@@ -31,6 +32,19 @@ TEST(Learn, PutsParametersBehindTheUnknowns) {
   EXPECT_EQ(family.sizes, (std::vector<double>{1, 10}));
   EXPECT_EQ(member_system(family, {Coefficient{2, 0}, Coefficient{3, 0}}),
             read_system({"test", "1\n3*x + 2*x^2 - 1;\n"}));
+}
+
+TEST(Learn, KeepsHowItsEquationsWereBroughtIntoTheRangeOfDouble) {
+  const System typed = read_system({"test", "2 3\n1e400*(x*y - a); 0.123456789012*x^2 - a*y;\n"});
+  const Family family = unlearned_family(typed, {{"a"}});
+  const System member = member_system(family, {Coefficient{3, 0}});
+  EXPECT_EQ(member.scaled_log2, typed.scaled_log2);
+  const CoefficientErrors errors = coefficient_errors(member);
+  ASSERT_EQ(errors.size(), 2U);
+  for (const NumberErrors& error : errors[0]) EXPECT_TRUE(error.empty());
+  const SolveResult result = solve(member, *make_lane_tracker(), with_seed(1));
+  EXPECT_TRUE(result.complete);
+  EXPECT_EQ(result.solutions.size(), 3U);
 }
 
 TEST(Learn, NamesEveryFaultOfTheParameters) {

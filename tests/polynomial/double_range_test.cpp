@@ -119,7 +119,11 @@ TEST(DoubleRange, LetsNumbersBeRoundedAsTheyWereTyped) {
 
 TEST(DoubleRange, IsWrittenAsAnEquationThatReadsBack) {
   const System f = system_of("1e400*x^2 - 3e400;1e-400*x*y - 1e-390;");
-  EXPECT_EQ(read_system({"again", to_text(f, PolynomialFormat::phcpack)}), f);
+  for (const PolynomialFormat format : {PolynomialFormat::phcpack, PolynomialFormat::bertini}) {
+    const System again = read_system({"again", to_text(f, format)});
+    EXPECT_EQ(again, f);
+    EXPECT_EQ(again.scaled_log2, f.scaled_log2) << "written as typed";
+  }
 }
 
 TEST(DoubleRange, HoldsForSystemsThatArePutTogetherInCode) {

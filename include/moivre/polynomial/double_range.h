@@ -34,5 +34,7 @@ bool add_equation(Polynomial p, System& f);
 /// Its equations as double holds them. Throws InvalidInput with each one of which it holds no
 /// multiple.
 System held_by_double(System f);
+/// Its equations as they were before.
+System as_typed(System f);
 
 }  // namespace moivre

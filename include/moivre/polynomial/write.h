@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How is a system written down again? In PHCpack's and Bertini's text. Reading it back gives the
 // same System:
-// coefficients are written exactly, and so that the variables come in their order. Groups stand in
-// Bertini's text alone.
+// coefficients are written exactly, as they were typed, and so that the variables come in their
+// order. Groups stand in Bertini's text alone.
 #pragma once
 
 #include <string>
