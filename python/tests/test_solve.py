@@ -191,6 +191,13 @@ def test_a_number_is_exact_by_its_kind():
     assert str(double[0][0].real) == "0.100000000000000005551115123126"
 
 
+def test_coefficients_beyond_double_are_brought_into_its_range():
+    roots = moivre.solve([([10**400, -3 * 10**400], [[1], [0]])]).points
+    assert roots == pytest.approx(np.array([[3]]))
+    with pytest.raises(ValueError, match="equation 1: a coefficient is out of the range of double"):
+        moivre.solve([([10**400, fractions.Fraction(1, 10**400)], [[1], [0]])])
+
+
 def test_arrays_of_complex_coefficients_are_taken():
     r = moivre.solve([(np.array([1, 1j]), np.array([[2], [0]]))])
     assert np.allclose(r.points[:, 0] ** 2, -1j)
