@@ -66,11 +66,14 @@ bool is_at_set(const SingularEnd& end, const PostureList& list, bool of_exact_on
 }
 
 /// Whether the end is on a plane of postures, or on its continuation into complex numbers: paths
-/// slide along it, as slowly as rounding lets them be followed. All closures on it are listed.
+/// slide along it, as slowly as rounding lets them be followed. All closures on it are listed, but
+/// for a plane that seems to hold the pose and ends.
 bool is_on_plane(const SingularEnd& end, const PostureList& list) {
   constexpr double kOnPlane = 1e-3;
   return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
-    if (set.relations.empty() || !is_on(list.arm, set, end.values, kOnPlane)) return false;
+    const bool is_searched = is_exact(set) || set.misfit > kReach;
+    if (set.relations.empty() || !is_searched) return false;
+    if (!is_on(list.arm, set, end.values, kOnPlane)) return false;
     const Eigen::VectorXd along = PivotedQr<double>(set.directions).solve(end.imaginary);
     return (end.imaginary - set.directions * along).norm() <= kOnPlane;
   });
