@@ -218,6 +218,7 @@ bool correct_at(const Arm& arm, const Placement<Complex>& pose, JointVector<Comp
 ApproachEnd approach(const Arm& arm, const TipWay& way, const JointVector<Complex>& start,
                      double contraction) {
   constexpr double kFirstStep = 0.1, kLeastShare = 1e-7, kNear = 1e-3, kRounding = 1e-13;
+  constexpr double kNearlyReal = 1e-6;
   /// Newton steps that a prediction should need, radians.
   constexpr double kWanted = 1e-3;
   constexpr double kQuarter = 0.25;
@@ -245,8 +246,10 @@ ApproachEnd approach(const Arm& arm, const TipWay& way, const JointVector<Comple
         corrected(arm, is_last ? end : moving(arm, way, next).at, contraction, is_last, q);
     if (step.contracts && is_last) {
       JointVector<Complex> last = q;
-      if (settles_at(arm, end, last, kWanted, result.accuracy)) {
-        const bool is_regular = moves_in_all_ways(arm, last);
+      const bool settles = settles_at(arm, end, last, kWanted, result.accuracy);
+      const bool is_regular = settles && moves_in_all_ways(arm, last);
+      // A place of a set that is not real tells nothing of what is real on it.
+      if (is_regular || (settles && last.imag().cwiseAbs().maxCoeff() < kNearlyReal)) {
         result.values = last;
         result.remaining = 0;
         result.kind = is_regular ? ApproachKind::regular : ApproachKind::singular;
