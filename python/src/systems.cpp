@@ -374,10 +374,8 @@ py::array set_points(const Solved& run) {
 py::list planes(const Solved& run) {
   py::list all;
   for (const CoordinatePlane& plane : run.result.planes) {
-    py::list zeros;
-    for (const std::uint32_t j : plane.zeros) zeros.append(run.system.variables[j]);
     py::dict one;
-    one["zero"] = zeros;
+    one["zero"] = zero_names(plane, run.system.variables);
     one["dimension"] = plane.dimension;
     all.append(one);
   }

@@ -190,7 +190,7 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
 }
 
 bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, ArmResult& result) {
-  constexpr double kNotReal = 1e-2, kFarBefore = 0.1, kClearly = 4;
+  constexpr double kNotReal = 1e-2, kFarBefore = 0.1, kClearly = 4, kMargin = 10;
   constexpr std::uint64_t kBeside = 16, kBehindOthers = 20'000;
   const double clear = kClearly * end.to_go;
   // A path that stopped far before its end tells nothing of it, unless it was farther still from
@@ -209,7 +209,8 @@ bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, Ar
   }
   // Where an added joint clearly stands elsewhere, and nothing beside it holds the pose, there is
   // no closure of the arm.
-  return is_at_listed(end, list, seen, result) || end.added > clear;
+  return is_at_listed(end, list, seen, result) ||
+         end.added > std::max(clear, kMargin * list.accuracy);
 }
 
 bool is_listed(const PostureList& list, const Eigen::VectorXd& place) {

@@ -2,7 +2,8 @@
 // A posture next to a set of postures that hold the pose: how is it put right, and does the set go
 // on from there?
 //
-//   U sigma V^T  the tip's velocity, of the joints' in radians and arm's lengths: the last columns
+//   U sigma V^T
+//              the screws' singular values, joints in radians and arm's lengths: the last columns
 //              of V move the tip least
 //   settled    Gauss-Newton steps across directions that are kept; what is within the accuracy is
 //              no reason to go far: x with P S^T (S x - e) = 0, P across what is kept. A step that

@@ -83,6 +83,13 @@ Polynomial on_plane(const Polynomial& p, const std::vector<std::uint32_t>& zeros
   return left;
 }
 
+std::vector<std::string> zero_names(const CoordinatePlane& plane,
+                                    const std::vector<std::string>& variables) {
+  std::vector<std::string> names;
+  for (const std::uint32_t j : plane.zeros) names.push_back(variables[j]);
+  return names;
+}
+
 std::vector<CoordinatePlane> coordinate_planes(const System& f) {
   std::vector<Zeros> found = Choices(f).found();
   std::sort(found.begin(), found.end());

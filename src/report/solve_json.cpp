@@ -26,9 +26,7 @@ Json point_of_set_json(const Solution& point) {
 }
 
 Json plane_json(const CoordinatePlane& plane, const std::vector<std::string>& unknowns) {
-  Json zeros = Json::array();
-  for (const std::uint32_t j : plane.zeros) zeros.push_back(unknowns[j]);
-  return {{"zero", zeros}, {"dimension", plane.dimension}};
+  return {{"zero", zero_names(plane, unknowns)}, {"dimension", plane.dimension}};
 }
 
 Json cross_check_json(const CrossCheck& check) {

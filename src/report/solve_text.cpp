@@ -171,9 +171,8 @@ void write_roots(TextPieces& text, const SolveResult& result, ListedRoots listed
 /// "every equation is zero on the plane s = x2 = 0, of dimension 1"
 void write_planes(TextPieces& text, const SolveResult& result) {
   for (const CoordinatePlane& plane : result.planes) {
-    std::string zeros;
-    for (const std::uint32_t j : plane.zeros) zeros += result.system.variables[j] + " = ";
-    text += "\nevery equation is zero on the plane " + zeros + "0, of dimension " +
+    text += "\nevery equation is zero on the plane " +
+            joined(zero_names(plane, result.system.variables), " = ") + " = 0, of dimension " +
             std::to_string(plane.dimension) + '\n';
   }
 }

@@ -267,16 +267,20 @@ void require_square_start(const System& f) {
                      std::to_string(f.variables.size()) + " without homogeneous groups");
 }
 
+/// What F itself says beside the roots, and what of them is no root of the text or not asked for.
+SolveResult told(const System& f, const SolveOptions& options, SolveResult result) {
+  result.planes = coordinate_planes(f);
+  drop_on_denominators(f, result);
+  if (!options.certify) leave_out_certificates(result);
+  return result;
+}
+
 }  // namespace
 
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options,
                   const std::atomic<bool>& stop) {
   require_usable(f, options);
-  SolveResult result = solve_any(f, tracker, options, stop);
-  result.planes = coordinate_planes(f);
-  drop_on_denominators(f, result);
-  if (!options.certify) leave_out_certificates(result);
-  return result;
+  return told(f, options, solve_any(f, tracker, options, stop));
 }
 
 SolveResult solve_from(const System& f, GivenStart start, const Tracker& tracker,
@@ -284,12 +288,9 @@ SolveResult solve_from(const System& f, GivenStart start, const Tracker& tracker
   require_usable(f, options);
   require_square_start(f);
   Stopwatch watch;
-  SolveResult result =
-      solve_in(Setting(f, prepare_given(f, std::move(start)), tracker, options, stop), watch);
-  result.planes = coordinate_planes(f);
-  drop_on_denominators(f, result);
-  if (!options.certify) leave_out_certificates(result);
-  return result;
+  return told(
+      f, options,
+      solve_in(Setting(f, prepare_given(f, std::move(start)), tracker, options, stop), watch));
 }
 
 }  // namespace moivre

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "moivre/polynomial/system.h"
@@ -28,6 +29,10 @@ struct CoordinatePlane {
 
 /// p where these unknowns are 0, in the same unknowns.
 Polynomial on_plane(const Polynomial& p, const std::vector<std::uint32_t>& zeros);
+
+/// The unknowns that are 0 there.
+std::vector<std::string> zero_names(const CoordinatePlane& plane,
+                                    const std::vector<std::string>& variables);
 
 /// By dimension, the largest first, and then by Z.
 std::vector<CoordinatePlane> coordinate_planes(const System& f);
