@@ -224,12 +224,14 @@ void write_in_place(const std::string& path, const Content& content) {
   }
 }
 
-/// Refuses a path at which no new file can be made.
+/// Refuses a path at which no new file can be made. The path itself stays untouched: another
+/// process may be moving its own file there.
 void require_room_for(const std::string& path) {
   const std::string target = behind_links(path);
-  const Descriptor file(open_to_write(target, O_CREAT | O_EXCL));
-  if (!file.is_open()) refuse_path(path);
-  ::unlink(target.c_str());
+  errno = EISDIR;
+  if (target.ends_with('/')) refuse_path(path);
+  const Draft draft(target);
+  if (!draft.file().is_open()) refuse_path(path);
 }
 
 }  // namespace

@@ -2,13 +2,19 @@
 // Does the program end whole where the machine gives no more: time, memory, room on the disk, a
 // terminal?
 #include <gtest/gtest.h>
+#include <sys/inotify.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <thread>
+#include <vector>
 
 #include "problems.h"
 #include "program.h"
@@ -123,6 +129,43 @@ TEST(Faults, TwoRunsOnOneFamilyFileLoseNothing) {
   scene.run(closures("assur-7-quaternary.toml"), false,
             [&](int) { scene.run(closures("3-rpr.toml")); });
   EXPECT_EQ(families(), one + other);
+}
+
+/// What happens in the scene's folder to the file of this name, from when it is made.
+class Watch {
+ public:
+  Watch(const Scene& scene, std::string name) : name_(std::move(name)) {
+    inotify_add_watch(queue_, scene.path(".").c_str(), IN_CREATE | IN_DELETE | IN_MOVED_TO);
+  }
+  ~Watch() { close(queue_); }
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  std::vector<std::uint32_t> events() const {
+    alignas(inotify_event) std::array<char, 1 << 16> buffer{};
+    const ssize_t size = read(queue_, buffer.data(), buffer.size());
+    std::vector<std::uint32_t> masks;
+    for (ssize_t at = 0; at < size;) {
+      const auto* event = reinterpret_cast<const inotify_event*>(buffer.data() + at);
+      if (event->len > 0 && name_ == event->name) masks.push_back(event->mask);
+      at += static_cast<ssize_t>(sizeof(inotify_event)) + event->len;
+    }
+    return masks;
+  }
+
+ private:
+  int queue_ = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  std::string name_;
+};
+
+// Another run may move its file to the same place meanwhile; an empty one there, or one removed,
+// would lose it.
+TEST(Faults, APlaceForAFileIsTriedWithoutTouchingIt) {
+  const Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const Watch watch(scene, "f.json");
+  EXPECT_EQ(scene.run({"solve", "f.phc", "--json", "f.json"}).exit_code, 0);
+  EXPECT_EQ(watch.events(), std::vector<std::uint32_t>{IN_MOVED_TO});
 }
 
 /// The program gets no more address space than this.
