@@ -46,6 +46,16 @@ MatrixXd span_of(const std::vector<VectorXd>& differences) {
   return stretch.U.leftCols(rank);
 }
 
+/// In the plane of these orthonormal columns.
+VectorXd random_unit_vector(const MatrixXd& columns, std::uint64_t seed, std::uint64_t stream) {
+  VectorXd along(columns.cols());
+  for (Index i = 0; i < along.size(); ++i) {
+    const auto index = stream + static_cast<std::uint64_t>(i);
+    along[i] = 2 * random_unit(seed, RandomStream::arm, index) - 1;
+  }
+  return columns * along.normalized();
+}
+
 /// Directions in which the set goes on from here (orthonormal), and a place further on: random
 /// steps along what moves the tip least, put right without restraint, come back to the set.
 struct Around {
@@ -62,13 +72,12 @@ Around around(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& pla
   Around result;
   if (still == 0) return result;
   std::vector<VectorXd> differences;
-  for (std::uint64_t k = 0; k < kSteps; ++k) {
-    VectorXd direction = VectorXd::Zero(n);
-    for (Index i = 0; i < still; ++i) {
-      const auto index = stream + k * kMostJoints + static_cast<std::uint64_t>(i);
-      direction += (2 * random_unit(seed, RandomStream::arm, index) - 1) * stretch.V.col(n - 1 - i);
-    }
-    direction.normalize();
+  const MatrixXd least = stretch.V.rightCols(still);
+  const std::uint64_t steps = still == 1 ? 2 : kSteps;  // a single direction has two sides
+  for (std::uint64_t k = 0; k < steps; ++k) {
+    const VectorXd direction = still == 1
+                                   ? VectorXd((k == 0 ? 1 : -1) * least)
+                                   : random_unit_vector(least, seed, stream + k * kMostJoints);
     const VectorXd there = place.values + in_joints<double>(arm, probe * direction);
     // Where the posture is a closure that only the digits make a set of, Newton's method without
     // restraint would come back to it;
@@ -253,14 +262,10 @@ void trace_surface(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin
                    double accuracy, double step, std::uint64_t seed, SelfMotion& motion) {
   motion.samples.push_back(begin.place.values);
   for (int way = 0; way < kWays; ++way) {
-    VectorXd direction = VectorXd::Zero(begin.place.values.size());
-    for (Index k = 0; k < begin.ways.cols(); ++k) {
-      const auto index = static_cast<std::uint64_t>(way * kMostJoints + k);
-      direction +=
-          (2 * random_unit(seed, RandomStream::arm, kThirdStream + index) - 1) * begin.ways.col(k);
-    }
-    const Way gone = follow(arm, pose, begin.place, direction.normalized(), motion.dimension,
-                            kStepsOfAWay, accuracy, step);
+    const VectorXd direction = random_unit_vector(
+        begin.ways, seed, kThirdStream + static_cast<std::uint64_t>(way * kMostJoints));
+    const Way gone =
+        follow(arm, pose, begin.place, direction, motion.dimension, kStepsOfAWay, accuracy, step);
     take(gone.places, motion.samples, motion.misfit);
   }
 }

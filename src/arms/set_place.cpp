@@ -54,9 +54,10 @@ Square across_of(const Eigen::MatrixXd& frozen) {
   return Square::Identity(n, n) - frozen * frozen.transpose();
 }
 
-/// By the normal equations, where nothing is to be dropped.
-std::optional<JointVector<double>> short_step(const Linearized& at, const Eigen::MatrixXd& frozen,
-                                              const Square& across) {
+/// By the normal equations, where nothing is to be dropped: the step is short, or no direction
+/// moves the tip so little that what is within the accuracy is far.
+std::optional<JointVector<double>> step_across(const Linearized& at, const Eigen::MatrixXd& frozen,
+                                               const Square& across, double accuracy) {
   constexpr double kIndependent = 1e-8;
   const Screws<double> free = at.screws * across;
   const double size = free.squaredNorm();
@@ -66,7 +67,11 @@ std::optional<JointVector<double>> short_step(const Linearized& at, const Eigen:
   if (!(ldlt.vectorD().minCoeff() > kIndependent * size)) return std::nullopt;
   const JointVector<double> along = free.transpose() * at.error;
   const JointVector<double> step = ldlt.solve(along);
-  if (!(step.norm() <= kLongWay)) return std::nullopt;
+  if (step.norm() <= kLongWay) return step;
+  // 1 / sigma^2 <= |G^-1| for the smallest sigma.
+  const Square inverse = ldlt.solve(Square::Identity(gram.rows(), gram.cols()));
+  const double of_miss = accuracy / kLongWay;
+  if (!(of_miss * of_miss * inverse.norm() < 1)) return std::nullopt;
   return step;
 }
 
@@ -89,16 +94,17 @@ JointVector<double> step_of(const Linearized& at, const Square& across, double a
 SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, Eigen::VectorXd values,
                  const Eigen::MatrixXd& frozen, double accuracy) {
   constexpr int kMost = 40;
-  constexpr double kLongest = 0.2, kSettled = 1e-13;
+  constexpr double kLongest = 0.2, kRounding = 1e-13, kShare = 1e-3;
+  const double enough = std::max(kRounding, kShare * accuracy);
   const Square across = across_of(frozen);
   SetPlace place = place_at(arm, pose, values);
   for (int k = 0; k < kMost; ++k) {
-    const auto near = short_step(place.at, frozen, across);
-    JointVector<double> step = near ? *near : step_of(place.at, across, accuracy);
+    const auto plain = step_across(place.at, frozen, across, accuracy);
+    JointVector<double> step = plain ? *plain : step_of(place.at, across, accuracy);
     const double size = step.cwiseAbs().maxCoeff();
     if (size > kLongest) step *= kLongest / size;
     place = place_at(arm, pose, place.values + in_joints<double>(arm, step));
-    if (size < kSettled) break;
+    if (size < enough) break;
   }
   return place;
 }
