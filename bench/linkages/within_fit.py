@@ -26,7 +26,8 @@ class WithinFit:
         damping = np.full(len(q), 1e-3)
         f, j = self.rows(q)
         for _ in range(rounds):
-            normal = np.einsum("kij,kil->kjl", j, j) + damping[:, None, None] * np.eye(j.shape[2])
+            least = 1e-15 * (1 + (j * j).sum((1, 2)))
+            normal = np.einsum("kij,kil->kjl", j, j) + np.maximum(damping, least)[:, None, None] * np.eye(j.shape[2])
             step = np.linalg.solve(normal, -np.einsum("kij,ki->kj", j, f)[..., None])[..., 0]
             after = self.m.moved(q, step * self.units)
             g, h = self.rows(after)

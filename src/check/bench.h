@@ -50,6 +50,9 @@ void judge_start(const System& f, const StandIn& stand_in, const Claims& claims,
                  const std::atomic<bool>& stop);
 void judge_paths(const Claims& claims, Verdicts& verdicts);
 
+/// Coordinate planes on which every equation is zero (src/check/planes.cpp).
+void judge_planes(const System& f, const Claims& claims, Verdicts& verdicts);
+
 /// Existence and accuracy of each root (src/check/existence.cpp); fills the entries.
 void judge_existence(Bench& bench);
 /// Of a root that the entry may mean, found from points beside it; undecided where none is found

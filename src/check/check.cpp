@@ -292,6 +292,7 @@ Judgement check(const System& f, const Claims& claims, const std::atomic<bool>& 
   judge_paths(claims, verdicts);
   judgement.is_judged_whole = judge_system(f, claims, verdicts);
   if (!judgement.is_judged_whole || f.variables.empty()) return judgement;
+  judge_planes(f, claims, verdicts);
   try {
     judge_roots(f, claims, verdicts, stop);
   } catch (const JudgementEnds&) {

@@ -197,6 +197,17 @@ BoundClaim read_bound(const JsonPlace& place) {
   return bound;
 }
 
+void read_planes(const JsonPlace& place, Claims& claims) {
+  if (!place.is_list()) return;
+  for (std::size_t k = 0; k < place.size(); ++k) {
+    const JsonPlace plane = place.element(k);
+    if (!plane.is_object()) continue;
+    PlaneClaim& claim = claims.planes.emplace_back();
+    if (const auto names = plane.member("zero", true)) claim.zero = names->texts();
+    if (const auto size = plane.member("dimension", true)) claim.dimension = size->count();
+  }
+}
+
 Claims read_top(const JsonPlace& top, TakenRoots& taken) {
   Claims claims;
   if (!top.is_object()) return claims;
@@ -224,6 +235,7 @@ Claims read_top(const JsonPlace& top, TakenRoots& taken) {
     if (const auto n = counts->member("complex")) claims.counts.complex = n->count();
     if (const auto n = counts->member("real")) claims.counts.real = n->count();
   }
+  if (const auto planes = top.member("planes")) read_planes(*planes, claims);
   const auto roots = top.member("solutions", true);
   if (!roots || !claims.system) return claims;
   if (taken.are_read && roots->is_list()) {

@@ -8,10 +8,10 @@
 namespace moivre {
 
 std::string to_string(ClaimKind kind) {
-  constexpr const char* names[] = {"system",   "reduced",   "start",    "paths",     "complete",
-                                   "root",     "accuracy",  "distinct", "real",      "multiplicity",
-                                   "residual", "condition", "digits",   "certified", "completeness",
-                                   "bound",    "inequality"};
+  constexpr const char* names[] = {
+      "system",   "reduced",   "start",        "paths",        "complete",   "root",
+      "accuracy", "distinct",  "real",         "multiplicity", "residual",   "condition",
+      "digits",   "certified", "completeness", "bound",        "inequality", "plane"};
   return names[static_cast<std::size_t>(kind)];
 }
 

@@ -53,19 +53,6 @@ class Choices {
   std::vector<Zeros> found_;
 };
 
-/// 0 where a group vanishes as a whole: no point of a projective space.
-std::uint64_t dimension_of(const System& f, const Zeros& zeros) {
-  std::uint64_t dimension = f.variables.size() - zeros.size();
-  for (const VariableGroup& group : f.groups) {
-    if (!group.is_homogeneous) continue;
-    if (std::includes(zeros.begin(), zeros.end(), group.variables.begin(), group.variables.end())) {
-      return 0;
-    }
-    --dimension;
-  }
-  return dimension;
-}
-
 bool lies_in_another(const Zeros& zeros, const std::vector<Zeros>& all) {
   return std::any_of(all.begin(), all.end(), [&](const Zeros& fewer) {
     return fewer.size() < zeros.size() &&
@@ -83,6 +70,19 @@ Polynomial on_plane(const Polynomial& p, const std::vector<std::uint32_t>& zeros
   return left;
 }
 
+std::uint64_t plane_dimension(const System& f, const std::vector<std::uint32_t>& zeros) {
+  std::uint64_t dimension = f.variables.size() - zeros.size();
+  for (const VariableGroup& group : f.groups) {
+    if (!group.is_homogeneous) continue;
+    // No point of a projective space.
+    if (std::includes(zeros.begin(), zeros.end(), group.variables.begin(), group.variables.end())) {
+      return 0;
+    }
+    --dimension;
+  }
+  return dimension;
+}
+
 std::vector<std::string> zero_names(const CoordinatePlane& plane,
                                     const std::vector<std::string>& variables) {
   std::vector<std::string> names;
@@ -96,7 +96,7 @@ std::vector<CoordinatePlane> coordinate_planes(const System& f) {
   found.erase(std::unique(found.begin(), found.end()), found.end());
   std::vector<CoordinatePlane> planes;
   for (const Zeros& zeros : found) {
-    const std::uint64_t dimension = dimension_of(f, zeros);
+    const std::uint64_t dimension = plane_dimension(f, zeros);
     const bool is_barred =
         std::any_of(f.denominators.begin(), f.denominators.end(),
                     [&](const Polynomial& d) { return on_plane(d, zeros).terms.empty(); });

@@ -19,6 +19,7 @@
 //   bound         its value is the number of the roots, and that of its kind
 //   inequality    every root meets the conditions of the file; open on the boundary, as far as what
 //                 is proved of the root tells
+//   plane         every equation is zero on the coordinate plane, of the dimension that is stated
 // A list of PHCpack claims roots, each listed once, and how many there are. It knows no conditions.
 //
 // The judge shares reading, the tape, the certificates and the bounds with the solver, but nothing
@@ -61,7 +62,8 @@ enum class ClaimKind {
   certified,
   completeness,
   bound,
-  inequality
+  inequality,
+  plane
 };
 std::string to_string(ClaimKind kind);
 

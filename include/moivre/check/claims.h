@@ -70,6 +70,12 @@ struct BoundClaim {
   std::uint64_t value = 0;
 };
 
+/// A coordinate plane on which every equation is said to be zero.
+struct PlaneClaim {
+  std::vector<std::string> zero;  ///< names of unknowns
+  std::uint64_t dimension = 0;
+};
+
 /// Numbers of roots stated besides the list: top-level `counts`.
 struct CountClaim {
   std::optional<std::uint64_t> complex, real;
@@ -92,6 +98,7 @@ struct Claims {
   std::optional<std::string> completeness;
   std::optional<BoundClaim> bound;  ///< the one that proves completeness
   CountClaim counts;
+  std::vector<PlaneClaim> planes;
   std::optional<std::uint64_t> listed;  ///< how many roots a solution list announces
 };
 

@@ -30,6 +30,10 @@ struct CoordinatePlane {
 /// p where these unknowns are 0, in the same unknowns.
 Polynomial on_plane(const Polynomial& p, const std::vector<std::uint32_t>& zeros);
 
+/// Of the plane where these unknowns, ascending, are 0; 0 where a homogeneous group vanishes as a
+/// whole.
+std::uint64_t plane_dimension(const System& f, const std::vector<std::uint32_t>& zeros);
+
 /// The unknowns that are 0 there.
 std::vector<std::string> zero_names(const CoordinatePlane& plane,
                                     const std::vector<std::string>& variables);
