@@ -28,7 +28,7 @@ class Macaulay {
     }
   }
 
-  bool is_too_large() const { return monomials_.empty(); }
+  std::size_t columns() const { return monomials_.size(); }
   bool has_root() const {
     return std::all_of(rows_.begin(), rows_.end(), [](const LocalPolynomial<Residue>& p) {
       return p.empty() || degree(p.begin()->first) > 0;
@@ -78,6 +78,24 @@ class Macaulay {
   std::vector<LocalPolynomial<Residue>> rows_;
 };
 
+/// The least degree from k on with at least so many monomials in n unknowns, or the last one with
+/// no more than kMostColumns; nullopt where k has more. One matrix tells dim D_j of every j up to
+/// its degree: where each has twice the columns of the one before, all cost about as much as the
+/// last.
+std::optional<std::uint64_t> next_degree(std::size_t n, std::uint64_t k, std::size_t columns) {
+  // (n + k choose n), by one more factor each.
+  const auto count = [n](std::uint64_t d) {
+    std::uint64_t product = 1;
+    for (std::uint64_t j = 1; j <= n && product <= kMostColumns; ++j) {
+      product = product * (d + j) / j;
+    }
+    return product;
+  };
+  if (count(k) > kMostColumns) return std::nullopt;
+  while (count(k) < columns && count(k + 1) <= kMostColumns) ++k;
+  return k;
+}
+
 }  // namespace
 
 std::optional<LocalRing> local_ring(const System& f, const std::vector<Coefficient>& x) {
@@ -88,12 +106,16 @@ std::optional<LocalRing> local_ring(const System& f, const std::vector<Coefficie
   std::vector<Residue> root;
   for (const Coefficient& xi : x) root.push_back(field.residue(xi));
   std::optional<LocalRing> ring;
+  std::size_t columns = 0;
   for (std::uint64_t k = 2;; ++k) {
+    const auto next = next_degree(x.size(), k, 2 * columns);
+    if (!next) return ring;
+    k = *next;
     const Macaulay macaulay(field, f, root, k);
-    if (macaulay.is_too_large()) return ring;
     if (!macaulay.has_root()) return std::nullopt;
     ring = macaulay.ring();
     if (ring->is_isolated) return ring;
+    columns = macaulay.columns();
   }
 }
 

@@ -5,11 +5,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
 #include "moivre/numeric/complex.h"
 #include "moivre/polynomial/read.h"
 
 namespace moivre {
 namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
 
 std::vector<Coefficient> exact(const Point& x) {
   std::vector<Coefficient> result;
@@ -83,6 +89,37 @@ TEST(LocalRing, OfAnIsolatedRootHasNoMoreDimensionsThanItsMultiplicity) {
   EXPECT_FALSE(too_large.grows_steadily);
   EXPECT_GT(too_large.dimension, 100U);
   EXPECT_LE(too_large.dimension, 1600U);
+}
+
+// One unknown has as many degrees as columns: a matrix for each of them takes hundreds of times as
+// long as the last one.
+TEST(LocalRing, OfOneUnknownTakesAboutAsLongAsOfTwo) {
+  const auto seconds = [](const std::string& text, std::size_t n) {
+    const System f = read_system({"test", text});
+    const auto begin = std::chrono::steady_clock::now();
+    const LocalRing full = local_ring(f, exact(Point(n))).value_or(LocalRing{});
+    EXPECT_FALSE(full.is_isolated);
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  double one = kNever, two = kNever;
+  for (int times = 0; times < 3; ++times) {
+    one = std::min(one, seconds("1\n x^700;\n", 1));
+    two = std::min(two, seconds("2\n x^40;\n y^40;\n", 2));
+  }
+  EXPECT_LT(one, 10 * two);  // alike; it was 64 times
+}
+
+// Of every multiplicity, wherever the degrees that are looked at lie.
+TEST(LocalMultiplicity, IsFoundAtEveryDegree) {
+  for (std::uint64_t m = 1; m <= 120; ++m) {
+    EXPECT_EQ(multiplicity("1\n x^" + std::to_string(m) + ";\n", {0}), m);
+  }
+  EXPECT_EQ(multiplicity("1\n x^499;\n", {0}), 499U);
+  EXPECT_FALSE(multiplicity("1\n x^500;\n", {0}));
+  for (std::uint64_t m = 1; m <= 14; ++m) {
+    const std::string power = std::to_string(m);
+    EXPECT_EQ(multiplicity("2\n x^" + power + ";\n y^" + power + ";\n", {0, 0}), m * m);
+  }
 }
 
 TEST(LocalMultiplicity, GivesUpWhereThePowersAreTooHigh) {
