@@ -64,6 +64,22 @@ Eigen::VectorXd nearest_to_pose(const Arm& arm, const Eigen::Isometry3d& pose, c
   return std::min_element(at.begin(), at.end(), by_size)->values;
 }
 
+/// Where the tip misses the pose by no more than rounding, one place of many in a row is left.
+std::vector<Miss> told_apart(const std::vector<Miss>& all) {
+  constexpr double kRoundingOfMiss = 1e-14;
+  const auto is_told = [](const Miss& miss) { return std::abs(miss.size) > kRoundingOfMiss; };
+  std::vector<Miss> apart;
+  for (const Miss& miss : all) {
+    const bool goes_on = !apart.empty() && !is_told(apart.back()) && !is_told(miss);
+    if (!goes_on) {
+      apart.push_back(miss);
+    } else if (std::abs(miss.size) < std::abs(apart.back().size)) {
+      apart.back() = miss;
+    }
+  }
+  return apart;
+}
+
 }  // namespace
 
 std::vector<Eigen::VectorXd> near_closures(const Arm& arm, const Eigen::Isometry3d& pose,
@@ -73,6 +89,7 @@ std::vector<Eigen::VectorXd> near_closures(const Arm& arm, const Eigen::Isometry
   for (const SetPlace& place : places) {
     miss.push_back(miss_at(place, miss.empty() ? Eigen::VectorXd() : miss.back().least));
   }
+  miss = told_apart(miss);
   const auto size = [&](std::size_t k) { return std::abs(miss[k].size); };
   for (std::size_t k = 1; k < miss.size(); ++k) {
     if (miss[k - 1].size * miss[k].size <= 0) {

@@ -4,8 +4,9 @@
 //   miss(s) = u . error at the place s of the set, u the direction in which the tip can least move,
 //   turned little from place to place
 // It changes its sign at a closure; it touches 0 where two closures meet. Both are found by secants
-// of second order along the set: Newton's method alone leaves a set that is curved. Edges: closures
-// nearer to each other than two samples are may be missed.
+// of second order along the set: Newton's method alone leaves a set that is curved. Where it is
+// rounding for a while there is one place. Edges: closures nearer to each other than two samples
+// are may be missed.
 // Source: Muller's method [Muller56]. Private to the module.
 #pragma once
 

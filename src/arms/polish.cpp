@@ -19,8 +19,6 @@ constexpr int kMostDampedIterations = 200;
 constexpr double kLeastMotion = 1e-12;
 /// What forward kinematics is wrong by: no step makes less of it.
 constexpr double kLastBits = 1e-15;
-/// An error that is smaller is rounding.
-constexpr double kRoundingError = 1e-13;
 /// Radians, or arm's lengths, that one step may take.
 constexpr double kLongestStep = 0.5;
 

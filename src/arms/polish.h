@@ -23,6 +23,9 @@ Linearized linearized(const Arm& arm, const Eigen::Isometry3d& pose,
 /// The larger of both errors.
 double size_of(const Velocity6<double>& error);
 
+/// An error that is smaller is rounding.
+inline constexpr double kRoundingError = 1e-13;
+
 struct Polished {
   JointVector<double> values;
   double residual = 0;  ///< the larger of both errors

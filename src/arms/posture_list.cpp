@@ -10,6 +10,7 @@
 #include "moivre/factorization/svd.h"
 #include "moivre/mechanism/closure_id.h"
 #include "self_motion.h"
+#include "set_place.h"
 
 namespace moivre {
 namespace {
@@ -24,8 +25,6 @@ constexpr double kReachesFar = 0.05;
 
 /// By how much a tip that stands may seem to move.
 constexpr double kRounding = 1e-12;
-/// By how much the tip misses the pose at most where Newton's method has come to rest.
-constexpr double kAtRest = 2e-14;
 
 /// By how much the tip may miss the pose, as its digits and those of the file leave it open.
 double by_digits(const PostureList& list) { return list.accuracy + list.arm.rounding; }
@@ -42,10 +41,23 @@ std::vector<double> left_open(const PostureList& list) {
 /// What rounding moves a closure by, along a direction of this singular value: forward kinematics
 /// is wrong by some units of the last bit for each joint, and where k closures meet Newton's step
 /// is a k-th of the way to them.
+double reach_of_rounding(const ArmClosure& closure, double sigma) {
+  constexpr double kLastDigits = 2.5e-15, kMeet = 4;
+  return kMeet * (kLastDigits + closure.residual) / std::max(sigma, 1e-300);
+}
+
+constexpr double kMovedAtMost = 1e-2;
+
 double moved_by_rounding(const ArmClosure& closure, double sigma) {
-  constexpr double kLeast = 1e-9, kLastDigits = 2.5e-15, kAtMost = 1e-2, kMeet = 4;
-  return std::clamp(kMeet * (kLastDigits + closure.residual) / std::max(sigma, 1e-300), kLeast,
-                    kAtMost);
+  constexpr double kLeast = 1e-9;
+  return std::clamp(reach_of_rounding(closure, sigma), kLeast, kMovedAtMost);
+}
+
+/// Whether Newton's method has come to the last digits, or what is left moves the posture little.
+bool is_at_rest(const ArmClosure& closure) {
+  constexpr double kAtRest = 2e-14;
+  return closure.residual <= kAtRest ||
+         reach_of_rounding(closure, closure.smallest_singular_value) <= kMovedAtMost;
 }
 
 /// Whether `to` may be the closure `from` but for rounding, which moves it along some directions by
@@ -102,13 +114,29 @@ std::optional<std::size_t> listed(const PostureList& list, const ArmClosure& clo
   return std::nullopt;
 }
 
+bool is_any(const SelfMotion&) { return true; }
+
+/// As rounding tells.
+bool stands_exactly(const SelfMotion& set) { return set.misfit <= kRounding && !has_ends(set); }
+
+/// A curve that is found as exact ones are, and ends: it has closures.
+bool nearly_stands(const SelfMotion& set) { return set.misfit <= kRounding && has_ends(set); }
+
 std::optional<std::size_t> set_of(const PostureList& list, const Eigen::VectorXd& values,
-                                  bool within_rounding) {
+                                  bool (*is_meant)(const SelfMotion&)) {
   for (std::size_t k = 0; k < list.moves.size(); ++k) {
-    if (within_rounding && list.moves[k].misfit > kRounding) continue;
-    if (is_on(list.arm, list.moves[k], values, kOnSet)) return k;
+    if (is_meant(list.moves[k]) && is_on(list.arm, list.moves[k], values, kOnSet)) return k;
   }
   return std::nullopt;
+}
+
+/// Whether double tells a posture from those along the joints' weakest motion.
+bool stands_alone(const PostureList& list, const Polished& posture) {
+  constexpr double kAway = 1e-2, kLastDigits = 1e-14;
+  const SetPlace place = place_at(list.arm, list.pose, posture.values);
+  const Eigen::VectorXd way = posture.least_moving;
+  return !moved(list.arm, list.pose, place, way, kAway, kLastDigits) &&
+         !moved(list.arm, list.pose, place, -way, kAway, kLastDigits);
 }
 
 /// The closures that are on a set within the digits.
@@ -118,22 +146,15 @@ void enter_near(PostureList& list, const TracedSet& traced) {
   list.follows_digits = true;
 }
 
-/// A curve of postures ends nowhere: one that does, where it misses the pose by more than it did,
-/// is there within the digits only.
-bool ends(const SelfMotion& motion) {
-  constexpr double kRoundingShare = 0.1;
-  return motion.dimension == 1 && !motion.closes && motion.misfit > kRoundingShare * kRounding;
-}
-
 /// Adds a set, with the closures near it where it is one of the digits only. Its number where it is
 /// exact, or where one is that it was taken for.
 std::optional<std::size_t> add(PostureList& list, TracedSet&& traced, bool is_within_digits) {
-  const bool is_beyond_rounding = traced.motion.misfit > kRounding;
+  const bool is_there = stands_exactly(traced.motion);
   traced.motion.within_digits = is_within_digits;
   // Where sets meet the posture may not be known well enough to be seen on one that is there.
-  if (const auto same = set_of(list, traced.motion.values, true)) return same;
+  if (const auto same = set_of(list, traced.motion.values, stands_exactly)) return same;
   list.moves.push_back(std::move(traced.motion));
-  if (!is_beyond_rounding) return list.moves.size() - 1;
+  if (is_there) return list.moves.size() - 1;
   enter_near(list, traced);
   return std::nullopt;
 }
@@ -142,15 +163,15 @@ std::optional<std::size_t> add(PostureList& list, TracedSet&& traced, bool is_wi
 std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure) {
   const double sigma = closure.smallest_singular_value;
   const std::vector<double> accuracies = left_open(list);
-  if (sigma <= kStandsAlone) {
+  if (sigma <= kStandsAlone && !set_of(list, closure.values, nearly_stands)) {
     if (auto traced = trace_set(list.arm, list.pose, closure.values, kRounding, list.seed)) {
-      const bool is_within_digits = !accuracies.empty() && ends(traced->motion);
+      const bool is_within_digits = !accuracies.empty() && has_ends(traced->motion);
       return add(list, std::move(*traced), is_within_digits);
     }
   }
   for (const double accuracy : accuracies) {
     if (!list.follows_digits || sigma > accuracy / kReachesFar) continue;
-    if (set_of(list, closure.values, false)) return std::nullopt;
+    if (set_of(list, closure.values, is_any)) return std::nullopt;
     auto traced = trace_set(list.arm, list.pose, closure.values, accuracy, list.seed);
     if (!traced) continue;
     const bool is_within_digits = traced->motion.misfit > list.accuracy;
@@ -165,9 +186,9 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
 void follow_digits(PostureList& list, const Polished& place) {
   for (const double accuracy : left_open(list)) {
     if (!list.follows_digits || place.residual > accuracy) continue;
-    if (set_of(list, place.values, false)) return;
+    if (set_of(list, place.values, is_any)) return;
     auto traced = trace_set(list.arm, list.pose, place.values, accuracy, list.seed);
-    if (!traced || set_of(list, traced->motion.values, false)) continue;
+    if (!traced || set_of(list, traced->motion.values, is_any)) continue;
     const bool is_within_digits = traced->motion.misfit > list.accuracy;
     add(list, std::move(*traced), is_within_digits);
     return;
@@ -245,13 +266,15 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
     if (const auto same = listed(list, closure)) {
       return PostureEntry{PostureEntry::Kind::closure, *same, false, 0};
     }
-    // A closure may stand on a set that is there within the digits only; what is no closure, or a
-    // place on the way to one, is of that set.
-    const bool is_closure = !closure.within_digits && closure.residual <= kAtRest;
-    if (const auto set = set_of(list, closure.values, is_closure)) {
-      return PostureEntry{PostureEntry::Kind::on_set, *set, false, 0};
-    }
-    return std::nullopt;
+    // A closure may stand on a set that is there within the digits only; a place on the way to one,
+    // and what double does not tell from other places of the set, is of that set.
+    auto set = set_of(list, closure.values, stands_exactly);
+    if (!set) set = set_of(list, closure.values, is_any);
+    if (!set) return std::nullopt;
+    const bool is_closure = !stands_exactly(list.moves[*set]) && !closure.within_digits &&
+                            is_at_rest(closure) && stands_alone(list, polished);
+    if (is_closure) return std::nullopt;
+    return PostureEntry{PostureEntry::Kind::on_set, *set, false, 0};
   };
   if (const auto same = known()) return *same;
   if (const auto set = add_set(list, closure)) return {PostureEntry::Kind::on_set, *set, true, 0};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <optional>
 
@@ -59,9 +60,16 @@ std::optional<std::size_t> closure_of(const SingularEnd& end, const PostureList&
   return nearest;
 }
 
-bool is_at_set(const SingularEnd& end, const PostureList& list, bool of_exact_ones) {
+/// On a set that is there within digits only the arm as typed has closures. They were looked for
+/// along a curve (near_closures.h), not on a surface.
+bool is_searched(const SelfMotion& set) {
+  return set.dimension == 1 && (set.misfit > kReach || has_ends(set));
+}
+
+bool is_at_set(const SingularEnd& end, const PostureList& list,
+               const std::function<bool(const SelfMotion&)>& is_meant) {
   return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
-    return is_exact(set) == of_exact_ones && is_on(list.arm, set, end.values, kNear);
+    return is_meant(set) && is_on(list.arm, set, end.values, kNear);
   });
 }
 
@@ -71,20 +79,18 @@ bool is_at_set(const SingularEnd& end, const PostureList& list, bool of_exact_on
 bool is_on_plane(const SingularEnd& end, const PostureList& list) {
   constexpr double kOnPlane = 1e-3;
   return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
-    const bool is_searched = is_exact(set) || set.misfit > kReach;
-    if (set.relations.empty() || !is_searched) return false;
+    if (set.relations.empty() || !(is_exact(set) || is_searched(set))) return false;
     if (!is_on(list.arm, set, end.values, kOnPlane)) return false;
     const Eigen::VectorXd along = PivotedQr<double>(set.directions).solve(end.imaginary);
     return (end.imaginary - set.directions * along).norm() <= kOnPlane;
   });
 }
 
-/// Whether the end is at a set or a closure that is listed. On a set that is there within digits
-/// only, the arm as typed has closures.
+/// Whether the end is at a set or a closure that is listed.
 bool is_at_listed(const SingularEnd& end, PostureList& list, PathsSeen& seen, ArmResult& result) {
-  if (is_at_set(end, list, true)) return true;
+  if (is_at_set(end, list, is_exact)) return true;
   const auto at = closure_of(end, list, seen);
-  if (!at) return is_at_set(end, list, false);
+  if (!at) return is_at_set(end, list, is_searched);
   ArmClosure& closure = list.closures[*at];
   closure.multiplicity = std::max(closure.multiplicity, ++seen.paths_to[*at]);
   closure.singular = !is_simple(closure);

@@ -251,7 +251,7 @@ void trace_curve(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& 
   places.insert(places.end(), forth.places.begin(), forth.places.end());
   take(places, motion.samples, motion.misfit);
   motion.closes = forth.closes;
-  if (motion.misfit <= kReach) return;
+  if (motion.misfit <= kReach && !has_ends(motion)) return;
   for (std::size_t k = 0; motion.closes && k < 2; ++k) {
     places.push_back(again_after(arm, places.back(), places[k]));
   }
@@ -325,8 +325,8 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   }
   // A few steps are no set: closures that meet leave the accuracy behind as slowly.
   const double reached = reach_of(arm, motion.samples);
-  const bool has_ends = motion.dimension == 1 && !motion.closes;
-  if (reached < (has_ends ? kShortestCurve : kShortest) * probe) return std::nullopt;
+  const bool is_open = motion.dimension == 1 && !motion.closes;
+  if (reached < (is_open ? kShortestCurve : kShortest) * probe) return std::nullopt;
   // A curve of postures ends nowhere: what is small and ends is near closures alone.
   if (size < 1 && !motion.closes && reached < kShortestCurve * kProbe) return std::nullopt;
   motion.directions = begin->ways;
@@ -341,6 +341,10 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
 }
 
 }  // namespace
+
+bool has_ends(const SelfMotion& set) {
+  return set.dimension == 1 && !set.closes && set.misfit > kRoundingError;
+}
 
 std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose,
                                    const VectorXd& from, double accuracy, std::uint64_t seed) {

@@ -26,6 +26,10 @@ struct TracedSet {
   std::vector<Eigen::VectorXd> near_closures;
 };
 
+/// A curve of postures ends nowhere: one that does, where it misses the pose by more than rounding,
+/// is there within the digits only.
+bool has_ends(const SelfMotion& set);
+
 /// nullopt where the posture stands alone. `accuracy`: radians, and lengths beside the arm's.
 std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose,
                                    const Eigen::VectorXd& from, double accuracy,

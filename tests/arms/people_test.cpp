@@ -267,6 +267,21 @@ TEST(PeoplesArmsTest, PathsAreFollowedToTheirEndsBesideASet) {
   EXPECT_LT(least_distance(arm, result, own), 1e-7);
 }
 
+/// Stretched, its wrist on the shoulder's axis: closures are 1e-6 apart two by two, on a surface
+/// that the digits make. They are there as typed, whatever the surface may explain.
+TEST(PeoplesArmsTest, ClosuresOnASurfaceWithinTheDigitsAreListed) {
+  const Eigen::VectorXd own{
+      {0.4150931203, -2.4809975078, 1.6900918878, -1.550518959, 2.5418622791, -0.7340360497}};
+  const Arm arm = made_of({"irb1200_three_digits", {}, {}});
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    const ArmResult result =
+        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread(seed));
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.closures.size(), 4U);
+    EXPECT_LT(least_distance(arm, result, own), 1e-5);
+  }
+}
+
 /// Two closures are 1.2e-3 apart on a bent curve, along which Newton's steps miss the pose by more
 /// before they miss it by less.
 TEST(PeoplesArmsTest, ClosuresThatNearlyMeetOnABentCurveAreListed) {
