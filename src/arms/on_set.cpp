@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "moivre/arms/arm_closures.h"
+#include "moivre/arms/rules.h"
 #include "set_place.h"
 
 namespace moivre {
@@ -66,6 +67,7 @@ bool is_on_surface(const Arm& arm, const SelfMotion& motion, const Eigen::Vector
 
 bool is_on(const Arm& arm, const SelfMotion& motion, const Eigen::VectorXd& values, double within) {
   constexpr double kStandsStill = 5e-3, kBowOfChord = 0.1;
+  require_values(arm, values);
   const double near_plane = within;
   if (!motion.relations.empty()) {
     const Eigen::VectorXd away = way_between(arm, motion.values, values);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "moivre/arms/rules.h"
 #include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
@@ -40,6 +41,7 @@ std::optional<TurnRange> turns_of(const ArmJoint& joint, double value) {
 }  // namespace
 
 std::vector<std::size_t> place_in_limits(const Arm& arm, Eigen::VectorXd& values) {
+  require_values(arm, values);
   std::vector<std::size_t> beyond;
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     double& value = values[static_cast<Eigen::Index>(k)];
@@ -53,6 +55,7 @@ std::vector<std::size_t> place_in_limits(const Arm& arm, Eigen::VectorXd& values
 }
 
 std::vector<Eigen::VectorXd> all_turns(const Arm& arm, const Eigen::VectorXd& values) {
+  require_values(arm, values);
   std::vector<Eigen::VectorXd> all{values};
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     const auto joint = static_cast<Eigen::Index>(k);
@@ -86,6 +89,8 @@ void require_few_turns(const Arm& arm) {
 
 Eigen::VectorXd nearest_turns(const Arm& arm, const Eigen::VectorXd& values,
                               const Eigen::VectorXd& stands) {
+  require_values(arm, values);
+  require_standing(arm, stands);
   Eigen::VectorXd nearest = values;
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     if (arm.joints[k].is_slide) continue;
@@ -100,6 +105,8 @@ Eigen::VectorXd nearest_turns(const Arm& arm, const Eigen::VectorXd& values,
 }
 
 double distance_from(const Arm& arm, const Eigen::VectorXd& values, const Eigen::VectorXd& stands) {
+  require_values(arm, values);
+  require_standing(arm, stands);
   double largest = 0;
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     const auto joint = static_cast<Eigen::Index>(k);

@@ -135,6 +135,7 @@ struct RootProver::Work {
         place(the_formulation.system.variables.size()) {}
 
   void close();
+  bool knows(const Program& program, std::size_t number) const;
   Program program(const Group& group, const Polynomial* value) const;
   std::vector<Enclosure> given(const Program& program, const KnownProof& before) const;
   Grounds grounds(const Program& program, const KnownProof& before) const;
@@ -216,6 +217,14 @@ RootProver::Work::Program RootProver::Work::program(const Group& group,
           Certifier(make_certify_program(f, given.size()), certify_options())};
 }
 
+/// What is given has its group before this one. The polynomials of the mechanism as typed have
+/// unknowns that those that are solved lack where a term was taken for rounding.
+bool RootProver::Work::knows(const Program& program, std::size_t number) const {
+  return std::all_of(program.given.begin(), program.given.end(), [&](std::size_t v) {
+    return v >= place.size() || (place[v] && place[v]->group < number);
+  });
+}
+
 std::vector<Enclosure> RootProver::Work::given(const Program& program,
                                                const KnownProof& before) const {
   const std::vector<const Certificate*> chain = chain_of(before);
@@ -270,6 +279,7 @@ KnownProof RootProver::Work::prove(std::size_t number, const KnownProof& before,
   if (number > 0 && !before) return nullptr;
   auto& group = groups[number];
   if (!group.program) group.program.emplace(program(group, nullptr));
+  if (!knows(*group.program, number)) return nullptr;
   Point x;
   for (const std::size_t v : group.unknowns) x.push_back(values[v]);
   const KnownCertificate first = certificate(group, before, x, false);
@@ -316,6 +326,7 @@ std::optional<Enclosure> RootProver::Work::value(const KnownProof& proof,
     place_of_value = group.with_value.emplace(&exclusion, program(group, &exclusion.of)).first;
   }
   Program& with_value = place_of_value->second;
+  if (!knows(with_value, fine->group)) return std::nullopt;
   Grounds from = grounds(with_value, fine->before);
   from.first.push_back(fine->certificate);
   const auto [known, is_new] = group.values.try_emplace({&exclusion, std::move(from)});

@@ -2,15 +2,35 @@
 // Which numbers can no end be judged by?
 #include "moivre/endgame/end_parameters.h"
 
+#include <cmath>
+#include <utility>
+
 namespace moivre {
 
 std::vector<std::string> validate(const EndParameters& ends) {
   std::vector<std::string> broken;
+  const std::pair<const char*, double> numbers[] = {{"watch_radius", ends.watch_radius},
+                                                    {"creeping_radius", ends.creeping_radius},
+                                                    {"least_radius", ends.least_radius},
+                                                    {"rounding", ends.rounding},
+                                                    {"sample_error", ends.sample_error},
+                                                    {"agreement", ends.agreement},
+                                                    {"regular_condition", ends.regular_condition},
+                                                    {"singular_condition", ends.singular_condition},
+                                                    {"beyond", ends.beyond},
+                                                    {"valuation_error", ends.valuation_error},
+                                                    {"fine_rounding", ends.fine_rounding}};
+  for (const auto& [name, number] : numbers) {
+    if (number > 0 && std::isfinite(number)) continue;
+    broken.push_back(std::string(name) + " must be finite and above 0");
+  }
   if (ends.samples < 4 || ends.samples % 2 != 0) {
     broken.push_back("samples must be even and at least 4");
   }
   if (ends.maximum_winding < 1) broken.push_back("maximum_winding must be at least 1");
-  if (!(ends.shrink > 1)) broken.push_back("shrink must be above 1");
+  if (!(ends.shrink > 1) || !std::isfinite(ends.shrink)) {
+    broken.push_back("shrink must be finite and above 1");
+  }
   return broken;
 }
 

@@ -144,6 +144,11 @@ void look_elsewhere(const Family& family, const LoopSearch& loops, const Followe
 }  // namespace
 
 std::optional<KnownPair> random_pair(const Family& family, std::uint64_t seed, double size) {
+  std::vector<std::string> broken = broken_rules_of_unlearned(family);
+  if (!(size > 0) || !std::isfinite(size)) {
+    broken.emplace_back("the size of a random pair must be finite and above 0");
+  }
+  require_unbroken(broken);
   constexpr std::uint64_t kMostTrials = 64;
   constexpr double kLeastRank = 1e-8;
   const std::size_t n = family.unknowns();

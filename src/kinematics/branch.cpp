@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "curve.h"
 #include "extreme_singular_values.h"
@@ -72,13 +73,14 @@ double slack_of(const Mechanism& mechanism, const Phi& phi, const VectorXd& q) {
   return mechanism.fit.value_or(0) / size_of(phi, q) * std::sqrt(static_cast<double>(phi.size()));
 }
 
-void validate(const Phi& phi, const VectorXd& q0, const std::vector<double>& times,
-              const std::optional<double>& fit) {
+void require_fitting(const Phi& phi, const VectorXd& q0, const std::vector<double>& times,
+                     const std::optional<double>& fit) {
   if (q0.size() != phi.dimension() || !q0.allFinite()) {
     throw InvalidInput("a branch begins at " + std::to_string(phi.dimension()) +
                        " finite coordinates");
   }
   if (times.size() < 2) throw InvalidInput("a branch is followed through two times or more");
+  if (!std::isfinite(times.front())) throw InvalidInput("the times of a branch are finite");
   for (std::size_t k = 1; k < times.size(); ++k) {
     const bool is_forwards = times.back() > times.front();
     if (!std::isfinite(times[k]) ||
@@ -112,7 +114,8 @@ class Follower {
         curve_(phi_, {sizes_of(phi_, q0), times.front(), times.back() - times.front()},
                slack_of(mechanism, phi_, q0), !is_typed(mechanism)),
         order_(staircase_order(phi_.reads(), phi_.dimension())) {
-    validate(phi_, q0, times, mechanism.fit);
+    require_unbroken(validate(options));
+    require_fitting(phi_, q0, times, mechanism.fit);
   }
 
   Branch run(const VectorXd& q0);
@@ -487,6 +490,27 @@ std::string to_string(EventKind kind) {
       return "joint limit";
   }
   return "";
+}
+
+std::vector<std::string> validate(const BranchOptions& options) {
+  std::vector<std::string> broken;
+  const std::pair<const char*, double> numbers[] = {{"largest_turn_rad", options.largest_turn_rad},
+                                                    {"largest_miss", options.largest_miss},
+                                                    {"longest_step", options.longest_step},
+                                                    {"largest_approach", options.largest_approach}};
+  for (const auto& [name, number] : numbers) {
+    if (number > 0 && std::isfinite(number)) continue;
+    broken.push_back(std::string(name) + " must be finite and above 0");
+  }
+  if (options.maximum_steps < 1) broken.emplace_back("maximum_steps must be 1 or more");
+  if (!options.velocity_times) return broken;
+  const std::vector<double>& times = *options.velocity_times;
+  const bool are_finite =
+      std::all_of(times.begin(), times.end(), [](double t) { return std::isfinite(t); });
+  if (!are_finite || !std::is_sorted(times.begin(), times.end())) {
+    broken.emplace_back("velocity_times must be finite and ascend");
+  }
+  return broken;
 }
 
 Branch follow_branch(const Mechanism& mechanism, const VectorXd& q0,

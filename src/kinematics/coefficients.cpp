@@ -14,6 +14,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 KinematicCoefficients kinematic_coefficients(const Phi& phi, const VectorXd& q, double t) {
+  require_place(phi, q, t);
   const Index drivers = phi.driver_size();
   const MatrixXd unknown =
       MatrixXd::Constant(phi.dimension(), drivers, std::numeric_limits<double>::quiet_NaN());

@@ -11,6 +11,7 @@
 namespace moivre {
 
 Eigen::VectorXd least_squares_pose(const Phi& phi, const Eigen::VectorXd& guess, double t) {
+  require_place(phi, guess, t);
   constexpr int kSteps = 60;
   constexpr double kAtRest = 1e-12;  // beside the mechanism's size
   constexpr double kMostDamping = 1e12;

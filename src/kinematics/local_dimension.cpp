@@ -120,6 +120,7 @@ class Slicing {
 }  // namespace
 
 LocalDimension local_dimension(const Phi& phi, const VectorXd& q, double t, std::uint64_t seed) {
+  require_place(phi, q, t);
   const Index rank = rank_of(phi, phi.jacobian(q, t));
   const Index tangent = phi.dimension() - rank;
   if (tangent == 0) return {0, "the constraints fix every direction at this pose"};

@@ -14,6 +14,7 @@
 #include "moivre/kinematics/null_space.h"
 #include "moivre/kinematics/own_units.h"
 #include "moivre/kinematics/state.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -146,6 +147,9 @@ std::vector<std::string> warnings_of(const Mobility& m) {
 }  // namespace
 
 double rank_tolerance(const Phi& joints, double fit) {
+  if (!(fit >= 0) || !std::isfinite(fit)) {
+    throw InvalidInput("fit must be a finite length, 0 or more");
+  }
   const double slack = std::sqrt(static_cast<double>(joints.size())) * fit / joints.length();
   return std::max(kRankTolerance, slack);
 }
@@ -165,6 +169,7 @@ std::string to_text(const RedundantRow& redundant) {
 }
 
 ConstraintRank constraint_rank(const Phi& phi, const VectorXd& q, double t, double fit) {
+  require_place(phi, q, t);
   const Phi joints = phi.without_drivers();
   const double tolerance = rank_tolerance(joints, fit);
   const MatrixXd J = joints.jacobian(q, t);
@@ -173,6 +178,7 @@ ConstraintRank constraint_rank(const Phi& phi, const VectorXd& q, double t, doub
 }
 
 Mobility mobility(const Phi& phi, const VectorXd& q, double t, double fit) {
+  require_place(phi, q, t);
   const Phi joints = phi.without_drivers();
   const MatrixXd J = joints.jacobian(q, t);
   const MatrixXd all_rows = phi.jacobian(q, t);

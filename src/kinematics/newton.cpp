@@ -29,14 +29,17 @@ constexpr double kRestResidualOfLostRows = 64 * std::numeric_limits<double>::eps
 constexpr double kReturn = 1e-9;  // distance beside q at which an earlier iterate has come back
 constexpr double kMoving = 1e-6;  // step beside q: a cycle's steps are larger than this
 
-void validate(const Phi& phi, const VectorXd& guess, const NewtonOptions& options) {
+void validate(const Phi& phi, const VectorXd& guess, double t, const NewtonOptions& options) {
   std::string broken;
   if (guess.size() != phi.dimension()) {
     broken += "the guess has " + std::to_string(guess.size()) + " entries, there are " +
               counted(phi.dimension(), "coordinate") + ". ";
   }
   if (!guess.allFinite()) broken += "the guess must be finite. ";
-  if (!(options.residual_tolerance > 0)) broken += "residual_tolerance must be positive. ";
+  if (!std::isfinite(t)) broken += "the time must be finite. ";
+  if (!(options.residual_tolerance > 0) || !std::isfinite(options.residual_tolerance)) {
+    broken += "residual_tolerance must be finite and positive. ";
+  }
   if (options.maximum_iterations < 1) broken += "maximum_iterations must be 1 or more. ";
   for (const Index k : options.held) {
     if (k < 0 || k >= phi.dimension()) broken += "held names no coordinate. ";
@@ -188,7 +191,7 @@ std::string to_string(NewtonStatus status) {
 }
 
 NewtonResult newton(const Phi& phi, const VectorXd& guess, double t, const NewtonOptions& options) {
-  validate(phi, guess, options);
+  validate(phi, guess, t, options);
   const std::vector<Index> free = free_coordinates(phi, options);
   NewtonResult run;
   run.iterations.push_back(look(phi, guess, t, options));

@@ -72,8 +72,8 @@ void require_usable(const OwnFunction& f, const VectorXd& guess, const OwnNewton
   if (!f.value) broken.emplace_back("there is no function");
   if (guess.size() == 0) broken.emplace_back("the guess is empty");
   if (!guess.allFinite()) broken.emplace_back("the guess must be finite");
-  if (!(options.residual_tolerance > 0)) {
-    broken.emplace_back("residual_tolerance must be positive");
+  if (!(options.residual_tolerance > 0) || !std::isfinite(options.residual_tolerance)) {
+    broken.emplace_back("residual_tolerance must be finite and positive");
   }
   if (options.maximum_iterations < 1) broken.emplace_back("maximum_iterations must be 1 or more");
   require_unbroken(broken);

@@ -54,6 +54,7 @@ std::string names_of(const Phi& phi, const std::vector<Index>& chosen) {
 
 MotionState motion_state(const Phi& phi, const VectorXd& q, double t,
                          const LinearOptions& options) {
+  require_place(phi, q, t);
   const MatrixXd J = phi.jacobian(q, t);
   const Factorization factors = factorization_of(phi, J, options);
   MotionState state;
@@ -79,12 +80,14 @@ std::vector<Index> independent_columns(const MatrixXd& J, Index rank) {
 }
 
 Partition choose_partition(const Phi& joints, const VectorXd& q, double t) {
+  require_place(joints, q, t);
   const MatrixXd J = in_own_units(joints, joints.jacobian(q, t));
   return make_partition(joints, q, independent_columns(J, numerical_rank(J)), t);
 }
 
 Partition make_partition(const Phi& joints, const VectorXd& q, std::vector<Index> independent,
                          double t) {
+  require_place(joints, q, t);
   std::sort(independent.begin(), independent.end());
   const bool twice =
       std::adjacent_find(independent.begin(), independent.end()) != independent.end();

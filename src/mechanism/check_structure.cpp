@@ -2,10 +2,12 @@
 // Does the file describe one mechanism? What no single entry shows: loose bodies, weld cycles,
 // links of no length, drivers.
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <optional>
 
 #include "faults.h"
+#include "joint_lengths.h"
 #include "moivre/expression/counted.h"
 #include "read_parts.h"
 
@@ -66,7 +68,9 @@ void check_size(Faults& faults, const Mechanism& mechanism) {
   for (const Body& body : mechanism.bodies) {
     for (const BodyPoint& point : body.points) longest = std::max(longest, point.at.norm());
   }
-  for (const Joint& joint : mechanism.joints) longest = std::max(longest, joint.length);
+  for (const Joint& joint : mechanism.joints) {
+    if (reads_length(joint.type)) longest = std::max(longest, std::abs(joint.length));
+  }
   if (longest == 0 || (longest <= kLongest && longest >= 1 / kLongest)) return;
   faults.push_back(
       {SourcePosition{},

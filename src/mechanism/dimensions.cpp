@@ -3,6 +3,7 @@
 #include "moivre/mechanism/dimensions.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "moivre/expression/joined.h"
 #include "moivre/numeric/invalid_input.h"
@@ -57,6 +58,28 @@ void add_drivers(const Mechanism& mechanism, std::vector<Dimension>& all) {
   }
 }
 
+/// What the dimension is a number of.
+void require_there(const Mechanism& mechanism, const Dimension& dimension) {
+  const auto is_there = [&] {
+    switch (dimension.kind) {
+      case DimensionKind::point: {
+        const PointOf& at = dimension.point;
+        return at.body < mechanism.bodies.size() &&
+               at.point < mechanism.bodies[at.body].points.size() && dimension.axis >= 0 &&
+               dimension.axis < 3;
+      }
+      case DimensionKind::length:
+      case DimensionKind::turn:
+        return dimension.joint < mechanism.joints.size();
+      case DimensionKind::driver:
+        return dimension.driver < mechanism.drivers.size();
+    }
+    return false;
+  };
+  if (is_there()) return;
+  throw InvalidInput("the dimension '" + dimension.name + "' is of something that is not there");
+}
+
 }  // namespace
 
 std::vector<Dimension> dimensions(const Mechanism& mechanism) {
@@ -74,6 +97,8 @@ std::vector<std::string> dimension_names(const Mechanism& mechanism) {
 }
 
 double dimension_value(const Mechanism& mechanism, const Dimension& dimension, double t) {
+  require_there(mechanism, dimension);
+  if (!std::isfinite(t)) throw InvalidInput("the time must be finite");
   const PointOf& at = dimension.point;
   switch (dimension.kind) {
     case DimensionKind::point:
@@ -83,6 +108,7 @@ double dimension_value(const Mechanism& mechanism, const Dimension& dimension, d
     case DimensionKind::turn:
       return mechanism.joints[dimension.joint].turn_rad;
     case DimensionKind::driver:
+      require_law(mechanism.drivers[dimension.driver].law);
       return driver_state(mechanism.drivers[dimension.driver].law, t).value;
   }
   return 0;
@@ -97,6 +123,8 @@ double dimension_tolerance(const Mechanism& mechanism, const Dimension& dimensio
 }
 
 void set_dimension(Mechanism& mechanism, const Dimension& dimension, double value) {
+  require_there(mechanism, dimension);
+  if (!std::isfinite(value)) throw InvalidInput("a dimension must be finite");
   const PointOf& at = dimension.point;
   switch (dimension.kind) {
     case DimensionKind::point:

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "faults.h"
 #include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
@@ -49,6 +50,11 @@ void require_table(const std::vector<double>& t, const std::vector<double>& valu
   }
   for (std::size_t k = 1; k < t.size(); ++k) {
     if (!(t[k] > t[k - 1])) throw InvalidInput("a table's times must increase");
+  }
+  for (const std::vector<double>* numbers : {&t, &value}) {
+    for (const double x : *numbers) {
+      if (!std::isfinite(x)) throw InvalidInput("a table's numbers must be finite");
+    }
   }
 }
 
@@ -103,6 +109,17 @@ DriverState periodic_state(const Spline& spline, double t) {
   const double period = spline.t.back() - spline.t.front();
   const double periods = std::floor((t - spline.t.front()) / period);
   return state(spline, t - periods * period);
+}
+
+void require_law(const DriverLaw& law) {
+  if (const auto* table = std::get_if<Spline>(&law)) {
+    const std::size_t rows = table->t.size();
+    if (rows >= 2 && table->value.size() == rows && table->curvature.size() == rows) return;
+    throw InvalidInput("a driver's table has two or more rows (natural_spline makes it)");
+  }
+  const auto* typed = std::get_if<TypedLaw>(&law);
+  const std::string fault = typed != nullptr ? fault_of(typed->formula, 0) : "";
+  if (!fault.empty()) throw InvalidInput("a driver's formula " + fault);
 }
 
 DriverState driver_state(const DriverLaw& law, double t) {

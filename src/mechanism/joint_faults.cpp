@@ -2,6 +2,7 @@
 // Has each joint the ends, directions and numbers that its type needs?
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 
@@ -80,6 +81,17 @@ void check_lengths(const Checked& at) {
   at.require(is_workable_angle(joint.turn_rad), "needs a finite turn, at most a million turns");
 }
 
+/// What a joint's type does not read is a number all the same: whatever looks through all joints
+/// meets it.
+void check_unread(const Checked& at) {
+  const Joint& joint = at.joint;
+  const double numbers[] = {joint.length,         joint.radius,        joint.pitch,
+                            joint.gear.phase_rad, joint.gear.radii[0], joint.gear.radii[1]};
+  const bool are_finite = std::all_of(std::begin(numbers), std::end(numbers), is_workable) &&
+                          joint.axis[0].allFinite() && joint.axis[1].allFinite();
+  at.require(are_finite, "has a number that is not finite, or beyond 1e50");
+}
+
 void check_limits(const Checked& at) {
   if (!at.joint.limits) return;
   const Limits& limits = *at.joint.limits;
@@ -152,6 +164,7 @@ void find_joint_faults(const Mechanism& mechanism, Faults& faults) {
     if (!check_ends(at)) continue;
     check_axes(at);
     check_lengths(at);
+    check_unread(at);
     check_limits(at);
     check_transmission(at);
   }

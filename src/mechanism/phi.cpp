@@ -9,6 +9,7 @@
 
 #include "constraint.h"
 #include "dimension_jets.h"
+#include "joint_lengths.h"
 #include "moivre/mechanism/rules.h"
 
 namespace moivre {
@@ -54,7 +55,9 @@ std::vector<double> lengths_of(const Mechanism& mechanism) {
   for (const Body& body : mechanism.bodies) {
     for (const BodyPoint& point : body.points) lengths.push_back(point.at.norm());
   }
-  for (const Joint& joint : mechanism.joints) lengths.push_back(std::abs(joint.length));
+  for (const Joint& joint : mechanism.joints) {
+    if (reads_length(joint.type)) lengths.push_back(std::abs(joint.length));
+  }
   std::erase(lengths, 0.0);
   return lengths;
 }
@@ -361,6 +364,12 @@ bool Phi::has_long_rotation(const VectorXd& q) const {
     k += 2;
   }
   return false;
+}
+
+void require_place(const Phi& phi, const VectorXd& q, double t) {
+  require_size(q, phi.dimension());
+  if (!q.allFinite()) throw InvalidInput("q has a number that is not finite");
+  if (!std::isfinite(t)) throw InvalidInput("the time must be finite");
 }
 
 bool is_length(const Phi& phi, Index k) {

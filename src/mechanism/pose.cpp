@@ -15,17 +15,21 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-void require_size(const Mechanism& mechanism, const VectorXd& q) {
+void require_numbers(const Mechanism& mechanism, const VectorXd& q, const std::string& name) {
   const Eigen::Index each = mechanism.space == Space::planar ? 3 : 6;
   const Eigen::Index n = each * (static_cast<Eigen::Index>(mechanism.bodies.size()) - 1);
-  if (q.size() >= n) return;
-  throw InvalidInput("q has " + std::to_string(n) + " numbers, one for each coordinate, not " +
-                     std::to_string(q.size()));
+  if (q.size() < n) {
+    throw InvalidInput("q has " + std::to_string(n) + " numbers, one for each coordinate, not " +
+                       std::to_string(q.size()));
+  }
+  if (!q.allFinite()) throw InvalidInput(name + " has a number that is not finite");
 }
 
 std::vector<Jet> jets_of(const Mechanism& mechanism, const VectorXd& q, const VectorXd& qdot,
                          const VectorXd& qddot) {
-  for (const VectorXd* one : {&q, &qdot, &qddot}) require_size(mechanism, *one);
+  require_numbers(mechanism, q, "q");
+  require_numbers(mechanism, qdot, "q'");
+  require_numbers(mechanism, qddot, "q''");
   std::vector<Jet> jets;
   for (Eigen::Index k = 0; k < q.size(); ++k) jets.emplace_back(q[k], qdot[k], qddot[k]);
   return jets;
@@ -39,6 +43,15 @@ PointState point_at(const Mechanism& mechanism, const PointOf& point, const At<J
   }
   const auto r = position_jet(mechanism, point, at);
   return {{r.x.f, r.y.f, r.z.f}, {r.x.d, r.y.d, r.z.d}, {r.x.dd, r.y.dd, r.z.dd}};
+}
+
+void require_ends(const Mechanism& mechanism, const Joint& joint) {
+  const bool has_points = traits(joint.type).place != JointPlace::anywhere;
+  for (const PointOf& end : joint.at) {
+    const bool is_there = end.body < mechanism.bodies.size() &&
+                          (!has_points || end.point < mechanism.bodies[end.body].points.size());
+    if (!is_there) throw InvalidInput("joint '" + joint.name + "' has an end that is not there");
+  }
 }
 
 ScalarState state_of(const Jet& jet) { return {jet.f, jet.d, jet.dd}; }
@@ -69,7 +82,7 @@ Vector3d point_position(const Mechanism& mechanism, const PointOf& point, const 
 }
 
 Matrix3d orientation(const Mechanism& mechanism, std::size_t body, const VectorXd& q) {
-  require_size(mechanism, q);
+  require_numbers(mechanism, q, "q");
   if (body >= mechanism.bodies.size()) {
     throw InvalidInput("there is no body " + std::to_string(body) + ", counted from 0");
   }
@@ -103,6 +116,7 @@ std::optional<ScalarState> joint_state(const Mechanism& mechanism, const Joint& 
                                        const VectorXd& q, const VectorXd& qdot,
                                        const VectorXd& qddot) {
   const std::vector<Jet> jets = jets_of(mechanism, q, qdot, qddot);
+  require_ends(mechanism, joint);
   const std::optional<Jet> coordinate = joint_jet(mechanism, joint, {jets, Jet(0)});
   return coordinate ? std::optional(state_of(*coordinate)) : std::nullopt;
 }
@@ -110,12 +124,14 @@ std::optional<ScalarState> joint_state(const Mechanism& mechanism, const Joint& 
 ScalarState turn_state(const Mechanism& mechanism, const Joint& joint, const VectorXd& q,
                        const VectorXd& qdot, const VectorXd& qddot) {
   const std::vector<Jet> jets = jets_of(mechanism, q, qdot, qddot);
+  require_ends(mechanism, joint);
   return state_of(joint_turn_jet(mechanism, joint, {jets, Jet(0)}));
 }
 
 bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const VectorXd& q) {
   // Of the limits: a pose that stands at a stop is known to rounding, and stands there.
   constexpr double kAtStop = 1e-11;
+  require_numbers(mechanism, q, "q");
   const auto value = joint.limits ? joint_coordinate(mechanism, joint, q) : std::nullopt;
   if (!value) return true;
   const auto [lower, upper] = *joint.limits;
@@ -130,6 +146,7 @@ bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const Vect
 }
 
 const Joint* broken_limit(const Mechanism& mechanism, const VectorXd& q) {
+  require_numbers(mechanism, q, "q");
   const auto at =
       std::find_if(mechanism.joints.begin(), mechanism.joints.end(),
                    [&](const Joint& joint) { return !is_within_limits(mechanism, joint, q); });

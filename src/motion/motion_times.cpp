@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "moivre/mechanism/rules.h"
 #include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
@@ -79,6 +80,7 @@ std::vector<std::string> validate(const MotionOptions& options) {
   if (options.checkpoints < 0 || options.checkpoints > kMostSamples) {
     broken.emplace_back("`checkpoints` must lie between 0 and a million");
   }
+  for (const std::string& rule : validate(options.branch)) broken.push_back("branch." + rule);
   return broken;
 }
 
@@ -88,14 +90,18 @@ void require_workable(const Mechanism& mechanism, const MotionOptions& options) 
 }
 
 std::vector<double> driver_values(const Mechanism& mechanism, double time) {
+  if (!std::isfinite(time)) throw InvalidInput("the time of the drivers must be finite");
   std::vector<double> values;
   for (const Driver& driver : mechanism.drivers) {
+    require_law(driver.law);
     values.push_back(driver_state(driver.law, time).value);
   }
   return values;
 }
 
 double natural_duration(const Mechanism& mechanism, double from) {
+  require_form(mechanism);
+  if (!std::isfinite(from)) throw InvalidInput("`from` must be finite");
   for (const Driver& driver : mechanism.drivers) {
     if (const auto* spline = std::get_if<Spline>(&driver.law)) {
       if (spline->t.back() > from) return spline->t.back() - from;

@@ -132,7 +132,10 @@ std::size_t circuit_of(const Circuits& circuits, std::size_t branch) {
 
 std::vector<std::optional<Passage>> passages_from(const Circuits& circuits, std::size_t branch) {
   std::vector<std::optional<Passage>> least(count_branches(circuits));
-  least.at(branch) = Passage{};
+  if (branch >= least.size()) {
+    throw InvalidInput("there is no branch " + std::to_string(branch) + ", counted from 0");
+  }
+  least[branch] = Passage{};
   std::queue<std::size_t> open({branch});
   while (!open.empty()) {
     const std::size_t here = open.front();

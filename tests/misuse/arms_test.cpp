@@ -6,6 +6,7 @@
 #include "moivre/arms/arm_closures.h"
 #include "moivre/arms/posture.h"
 #include "moivre/arms/rules.h"
+#include "moivre/arms/turns.h"
 #include "moivre/urdf/mechanism_text.h"
 #include "moivre/urdf/read.h"
 #include "refused.h"
@@ -22,6 +23,13 @@ TEST(MisuseTest, AnArmTakesOneFiniteValueForEachJoint) {
   expect_refused([&] { return forward_kinematics(arm, three); }, word);
   expect_refused([&] { return joint_frames(arm, three); }, word);
   expect_refused([&] { return posture_of(arm, three); }, word);
+  expect_refused([&] { return all_turns(arm, three); }, word);
+  expect_refused([&] { return nearest_turns(arm, three, Eigen::VectorXd::Zero(6)); }, word);
+  expect_refused([&] { return nearest_turns(arm, Eigen::VectorXd::Zero(6), three); }, "6 joints");
+  expect_refused([&] { return distance_from(arm, three, Eigen::VectorXd::Zero(6)); }, word);
+  expect_refused([&] { return is_on(arm, SelfMotion{}, three, 0.1); }, word);
+  Eigen::VectorXd placed = three;
+  expect_refused([&] { return place_in_limits(arm, placed); }, word);
   expect_refused([&] { return forward_kinematics(arm, Eigen::VectorXd::Constant(6, kNaN)); },
                  "not finite");
 }

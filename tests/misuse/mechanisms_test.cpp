@@ -7,9 +7,11 @@
 #include "moivre/closures/closures.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/kinematics/newton.h"
+#include "moivre/mechanism/dimensions.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/mechanism/read.h"
 #include "moivre/mechanism/rules.h"
+#include "moivre/motion/circuits.h"
 #include "moivre/motion/motion.h"
 #include "moivre/sweep/sweep.h"
 #include "refused.h"
@@ -95,6 +97,12 @@ TEST(MisuseTest, EverySlipInAMechanismIsRefusedByName) {
          m.joints[0].type = JointType::prismatic;
          m.joints[0].axis[0] = {2, 0, 0};
        }},
+      {"has a number that is not finite, or beyond 1e50",
+       [](Mechanism& m) { m.joints[0].length = -kInfinity; }},
+      {"has a number that is not finite, or beyond 1e50",
+       [](Mechanism& m) { m.joints[1].gear.radii[1] = kNaN; }},
+      {"has a number that is not finite, or beyond 1e50",
+       [](Mechanism& m) { m.joints[0].axis[1].z() = kNaN; }},
       {"has its lower limit above the upper",
        [](Mechanism& m) {
          m.joints[0].limits = Limits{1, 0};
@@ -152,6 +160,36 @@ TEST(MisuseTest, StructureIsNamedToo) {
             std::string::npos);
 }
 
+// A length that a revolute does not read was the mechanism's size: all others vanished beside it.
+TEST(MisuseTest, WhatAJointDoesNotReadChangesNothing) {
+  Mechanism mechanism = four_bar();
+  const ClosureResult as_it_is = find_closures(mechanism, lanes());
+  mechanism.joints[1].length = mechanism.joints[2].pitch = -1e45;
+  EXPECT_TRUE(broken_rules(mechanism).empty());
+  const ClosureResult same = find_closures(mechanism, lanes());
+  EXPECT_EQ(Phi(mechanism).length(), Phi(four_bar()).length());
+  ASSERT_EQ(same.closures.size(), as_it_is.closures.size());
+  for (std::size_t k = 0; k < same.closures.size(); ++k) {
+    EXPECT_EQ(same.closures[k].q, as_it_is.closures[k].q);
+  }
+}
+
+// Beside a length of 1e40 the others are rounding, and terms of the equations with them: a proof
+// asked for the value of an unknown that no equation was left of.
+TEST(MisuseTest, LengthsThatVanishBesideOthersAreNoCrash) {
+  for (const double huge : {1e20, 1e40}) {
+    Mechanism mechanism =
+        read_mechanism(read_source(MOIVRE_SOURCE_DIR "/problems/mechanisms/slider-crank.toml"));
+    mechanism.bodies[0].points.push_back({"far", {huge, 0, 0}, {}});
+    EXPECT_FALSE(broken_rules(mechanism).empty());
+    ClosureOptions options;
+    options.solve.threads = 1;
+    for (const Closure& one : find_closures(mechanism, lanes(), options).closures) {
+      EXPECT_TRUE(one.q.allFinite());
+    }
+  }
+}
+
 TEST(MisuseTest, APoseHasANumberForEachCoordinate) {
   const Mechanism mechanism = four_bar();
   const Phi phi(mechanism);
@@ -170,6 +208,30 @@ TEST(MisuseTest, APoseHasANumberForEachCoordinate) {
   expect_refused([&] { return orientation(mechanism, 7, nine); }, "there is no body 7");
   expect_refused([&] { return joint_coordinate(mechanism, mechanism.joints[0], three); }, word);
   expect_refused([&] { return require_pose(mechanism, three); }, "9 numbers");
+}
+
+TEST(MisuseTest, WhatIsNotThereHasNoNumber) {
+  const Mechanism mechanism = four_bar();
+  const Eigen::VectorXd nine = Eigen::VectorXd::Zero(9);
+  Joint lost = mechanism.joints[1];
+  lost.at[0].body = 7;
+  expect_refused([&] { return joint_coordinate(mechanism, lost, nine); }, "an end that is not");
+  expect_refused([&] { return turn_state(mechanism, lost, nine, nine, nine); }, "an end that is");
+  for (const DimensionKind kind :
+       {DimensionKind::point, DimensionKind::length, DimensionKind::turn, DimensionKind::driver}) {
+    const Dimension nowhere{"it", kind, {9, 9}, 0, 9, 9, false};
+    Mechanism changed = mechanism;
+    expect_refused([&] { return dimension_value(mechanism, nowhere); }, "is not there");
+    expect_refused([&] { return set_dimension(changed, nowhere, 1); }, "is not there");
+  }
+  Mechanism driven = mechanism;
+  driven.drivers[0].law = Spline{{0, 1}, {}, {}};
+  expect_refused([&] { return driver_values(driven, 0); }, "two or more rows");
+  expect_refused([&] { return dimension_value(driven, dimensions(mechanism).back()); }, "rows");
+  expect_refused([&] { return natural_duration(driven); }, "finite rows");
+  driven.drivers[0].law = TypedLaw{{Formula::Kind::sin, 0, 0, {}}, 1};
+  expect_refused([&] { return driver_values(driven, 0); }, "without its one operand");
+  expect_refused([&] { return passages_from(Circuits{}, 3); }, "there is no branch 3");
 }
 
 TEST(MisuseTest, TimesAreFinite) {

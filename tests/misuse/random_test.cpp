@@ -4,8 +4,12 @@
 //
 // Systems, families, mechanisms and arms are changed in one to three random places and handed to
 // the entries of the library. Each may be refused (InvalidInput, or std::overflow_error where paths
-// or exponents are too many) or answered, and nothing else. MOIVRE_MISUSES sets how many are tried
-// of each kind; the sanitizers see what reads or writes beyond its place.
+// or exponents are too many) or answered with finite numbers, and nothing else; what was given a
+// number that is not finite is refused.
+// MOIVRE_MISUSES sets how many are tried of each kind, MOIVRE_MISUSE_SEED from which seed on; the
+// sanitizers see what reads or writes beyond its place.
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <random>
@@ -15,6 +19,7 @@
 #include "moivre/arms/pose_table.h"
 #include "moivre/arms/posture.h"
 #include "moivre/arms/rules.h"
+#include "moivre/arms/turns.h"
 #include "moivre/bounds/root_bounds.h"
 #include "moivre/certify/certifier.h"
 #include "moivre/closures/closures.h"
@@ -41,6 +46,12 @@ namespace {
 int misuses() {
   const char* wanted = std::getenv("MOIVRE_MISUSES");
   return wanted != nullptr ? std::atoi(wanted) : 300;
+}
+
+/// The seed of misuse k. MOIVRE_MISUSE_SEED=<seed> MOIVRE_MISUSES=1 shows one fault again.
+std::uint64_t seed_of(int k) {
+  const char* first = std::getenv("MOIVRE_MISUSE_SEED");
+  return (first != nullptr ? std::strtoull(first, nullptr, 10) : 0) + static_cast<std::uint64_t>(k);
 }
 
 /// Random slips from a seed.
@@ -79,12 +90,21 @@ struct Tally {
   int answered = 0;
 };
 
-/// Calls; what is thrown must be a refusal.
+bool is_number(const Eigen::VectorXd& v) { return v.allFinite(); }
+bool is_number(const std::vector<Complex>& v) {
+  return std::all_of(v.begin(), v.end(), [](const Complex& z) { return is_finite(z); });
+}
+bool are_numbers(std::initializer_list<double> all) {
+  return std::all_of(all.begin(), all.end(), [](double x) { return std::isfinite(x); });
+}
+
+/// Calls; what is thrown must be a refusal, and one must be where numbers were given that are none.
 template <class Call>
-void attempt(Tally& tally, const Call& call) {
+void attempt(Tally& tally, const Call& call, bool has_numbers = true) {
   try {
     call();
     ++tally.answered;
+    EXPECT_TRUE(has_numbers) << "NaN or infinity was answered";
   } catch (const InvalidInput& refusal) {
     EXPECT_FALSE(refusal.broken_rules().empty());
     EXPECT_EQ(std::string(refusal.what()).find("--"), std::string::npos) << refusal.what();
@@ -176,17 +196,29 @@ SolveOptions random_options(Slips& slips) {
 TEST(RandomMisuse, OfSystemsIsRefusedOrAnswered) {
   Tally tally;
   for (int k = 0; k < misuses(); ++k) {
-    SCOPED_TRACE(k);
-    Slips slips(static_cast<std::uint64_t>(k));
+    SCOPED_TRACE(seed_of(k));
+    Slips slips(seed_of(k));
     System f = random_system(slips);
     for (std::size_t times = 1 + slips.below(3); times > 0; --times) spoil(f, slips);
     const bool is_broken = !broken_rules(f).empty();
     attempt(tally, [&] { make_certify_program(f); });
-    attempt(tally, [&] { reference_roots(f, {Point(slips.below(4), slips.number())}, 20, 1); });
-    attempt(tally, [&] { unlearned_family(f, {{slips.name(), slips.number()}, {"x1", 1}}); });
+    const Point near(slips.below(4), slips.number());
+    attempt(
+        tally, [&] { reference_roots(f, {near}, 20, 1); }, is_number(near));
+    const double size = slips.number();
+    attempt(
+        tally,
+        [&] {
+          unlearned_family(f, {{slips.name(), size}, {"x1", 1}});
+        },
+        std::isfinite(size));
     if (!is_broken && (!is_small(f) || !slips.one_in(10))) continue;
     attempt(tally, [&] { root_bounds(f, {}); });
-    attempt(tally, [&] { solve(f, lanes(), random_options(slips)); });
+    attempt(tally, [&] {
+      for (const Solution& root : solve(f, lanes(), random_options(slips)).solutions) {
+        EXPECT_TRUE(is_number(root.x));
+      }
+    });
   }
   EXPECT_GT(tally.refused, tally.answered);
   RecordProperty("refused", tally.refused);
@@ -195,11 +227,15 @@ TEST(RandomMisuse, OfSystemsIsRefusedOrAnswered) {
 TEST(RandomMisuse, OfNumbersAndPowersIsRefusedOrAnswered) {
   Tally tally;
   for (int k = 0; k < misuses(); ++k) {
-    Slips slips(static_cast<std::uint64_t>(k));
+    SCOPED_TRACE(seed_of(k));
+    Slips slips(seed_of(k));
     const Polynomial x = unknown(static_cast<std::uint32_t>(slips.below(3)));
-    attempt(tally, [&] { (void)(slips.number() * x + slips.number() - x / slips.number()); });
+    const double a = slips.number(), b = slips.number(), c = slips.number();
+    attempt(
+        tally, [&] { (void)(a * x + b - x / c); }, are_numbers({a, b, c}));
     attempt(tally, [&] { (void)pow(x, static_cast<int>(slips.below(5)) - 2); });
-    attempt(tally, [&] { (void)Coefficient(Complex(slips.number(), slips.number())); });
+    attempt(
+        tally, [&] { (void)Coefficient(Complex(a, b)); }, are_numbers({a, b}));
     attempt(tally, [&] { (void)make_system({slips.name(), slips.name()}, {x * x - 1, x}); });
   }
   EXPECT_GT(tally.refused, 0);
@@ -211,13 +247,16 @@ TEST(RandomMisuse, OfFamiliesIsRefusedOrAnswered) {
   const Family learned = learn(unlearned_family(f, {{"p", 1}}), lanes());
   Tally tally;
   for (int k = 0; k < misuses(); ++k) {
-    SCOPED_TRACE(k);
-    Slips slips(static_cast<std::uint64_t>(k));
+    SCOPED_TRACE(seed_of(k));
+    Slips slips(seed_of(k));
     Family family = learned;
     const std::size_t slip = slips.below(6);
-    if (slip == 0) family.generic.assign(slips.below(3), Complex(slips.number()));
-    if (slip == 1) family.roots.emplace_back(slips.below(3), Complex(slips.number()));
-    if (slip == 2) family.sizes.assign(slips.below(3), slips.number());
+    const double number = slips.number();
+    if (slip == 0) family.generic.assign(slips.below(3), Complex(number));
+    if (slip == 1) family.roots.emplace_back(slips.below(3), Complex(1, number));
+    if (slip == 2) family.sizes.assign(slips.below(3), number);
+    const bool is_whole = is_number(family.generic) && is_number(family.roots.back()) &&
+                          (slip != 2 || family.sizes.empty() || std::isfinite(number));
     if (slip == 3) family.system.polynomials.clear();
     if (slip == 4) {
       spoil(family.system, slips);
@@ -226,12 +265,17 @@ TEST(RandomMisuse, OfFamiliesIsRefusedOrAnswered) {
     const std::vector<Complex> members(slips.below(3), Complex(slips.number(), slips.number()));
     SolveOptions options;
     options.threads = 1;
-    attempt(tally, [&] { solve_member_table(family, members, lanes(), options); });
-    attempt(tally,
-            [&] { solve_member(family, ParameterValues(slips.below(3)), lanes(), options); });
+    attempt(
+        tally, [&] { solve_member_table(family, members, lanes(), options); },
+        is_whole && is_number(members));
+    attempt(
+        tally, [&] { solve_member(family, ParameterValues(slips.below(3)), lanes(), options); },
+        is_whole);
     const ParameterProblem problem{
         f, {slips.one_in(3) ? slips.name() : "p"}, {4}, {Point(slips.below(3), slips.number())}};
-    attempt(tally, [&] { track(problem, ParameterValues(slips.below(3), 1), lanes(), 1); });
+    attempt(
+        tally, [&] { track(problem, ParameterValues(slips.below(3), 1), lanes(), 1); },
+        is_number(problem.roots[0]));
   }
   EXPECT_GT(tally.refused, tally.answered / 4);
 }
@@ -336,17 +380,24 @@ void spoil(Mechanism& mechanism, Slips& slips) {
 TEST(RandomMisuse, OfMechanismsIsRefusedOrAnswered) {
   Tally tally;
   for (int k = 0; k < misuses(); ++k) {
-    SCOPED_TRACE(k);
-    Slips slips(static_cast<std::uint64_t>(k));
+    SCOPED_TRACE(seed_of(k));
+    Slips slips(seed_of(k));
     Mechanism mechanism = base_mechanism(slips);
     for (std::size_t times = 1 + slips.below(3); times > 0; --times) spoil(mechanism, slips);
     const double t = slips.one_in(4) ? slips.number() : 0;
     const Eigen::VectorXd q = slips.one_in(2) ? slips.vector() : Eigen::VectorXd::Constant(9, 0.2);
     (void)broken_rules(mechanism);
     attempt(tally, [&] { Phi(mechanism).jacobian(q, t); });
-    attempt(tally, [&] { (void)initial_guess(mechanism, t); });
-    attempt(tally, [&] { point_position(mechanism, {slips.index(), slips.index()}, q); });
-    attempt(tally, [&] { (void)orientation(mechanism, slips.index(), q); });
+    attempt(
+        tally, [&] { (void)initial_guess(mechanism, t); }, std::isfinite(t));
+    attempt(
+        tally,
+        [&] {
+          point_position(mechanism, {slips.index(), slips.index()}, q);
+        },
+        is_number(q));
+    attempt(
+        tally, [&] { (void)orientation(mechanism, slips.index(), q); }, is_number(q));
     if (!broken_form(mechanism).empty()) {
       attempt(tally, [&] { find_closures(mechanism, lanes()); });
       attempt(tally, [&] { find_motion(mechanism, lanes()); });
@@ -354,7 +405,18 @@ TEST(RandomMisuse, OfMechanismsIsRefusedOrAnswered) {
       ClosureOptions options;
       options.time = t;
       options.solve.threads = 1;
-      attempt(tally, [&] { find_closures(mechanism, lanes(), options); });
+      attempt(
+          tally,
+          [&] {
+            for (const Closure& one : find_closures(mechanism, lanes(), options).closures) {
+              EXPECT_TRUE(is_number(one.q));
+            }
+          },
+          std::isfinite(t));
+      const double fit = slips.number();
+      attempt(
+          tally, [&] { mobility(Phi(mechanism), q, t, fit); },
+          is_number(q) && are_numbers({t, fit}));
       attempt(tally, [&] { newton(Phi(mechanism), initial_guess(mechanism)); });
     }
   }
@@ -364,20 +426,25 @@ TEST(RandomMisuse, OfMechanismsIsRefusedOrAnswered) {
 TEST(RandomMisuse, OfTheBuilderIsRefusedOrAnswered) {
   Tally tally;
   for (int k = 0; k < misuses(); ++k) {
-    SCOPED_TRACE(k);
-    Slips slips(static_cast<std::uint64_t>(k));
+    SCOPED_TRACE(seed_of(k));
+    Slips slips(seed_of(k));
     MechanismBuilder built(slips.name(), slips.one_in(3) ? Space::spatial : Space::planar);
     if (slips.one_in(2)) built.units(slips.one_in(2) ? "mm" : slips.name(), "deg");
-    built.ground({{slips.one_in(4) ? slips.name() : "A", {0, slips.number()}}, {"D", {1, 0}}});
+    const double y = slips.number(), lower = slips.number(), upper = slips.number();
+    const double start = slips.number(), guess = slips.number();
+    const bool is_guessed = slips.one_in(3);
+    built.ground({{slips.one_in(4) ? slips.name() : "A", {0, y}}, {"D", {1, 0}}});
     built.body(slips.one_in(3) ? slips.name() : "crank",
                {{"A", std::vector<double>(slips.below(4), 0.5)}, {slips.name(), {1, 0}}});
     built.joint(slips.one_in(4) ? slips.name() : "revolute",
                 {slips.one_in(4) ? slips.name() : "ground.A", "crank.A"},
-                {{slips.one_in(3) ? slips.name() : "limits", {slips.number(), slips.number()}}});
-    built.driver(slips.one_in(4) ? slips.name() : "angle", "crank", {{"start", slips.number()}});
-    if (slips.one_in(3)) built.guess(slips.name(), slips.number());
+                {{slips.one_in(3) ? slips.name() : "limits", {lower, upper}}});
+    built.driver(slips.one_in(4) ? slips.name() : "angle", "crank", {{"start", start}});
+    if (is_guessed) built.guess(slips.name(), guess);
     if (slips.one_in(6)) built.equation(slips.name(), slips.name());
-    attempt(tally, [&] { (void)built.build(); });
+    attempt(
+        tally, [&] { (void)built.build(); },
+        are_numbers({y, lower, upper, start}) && (!is_guessed || std::isfinite(guess)));
   }
   EXPECT_GT(tally.refused, tally.answered);
 }
@@ -412,21 +479,47 @@ TEST(RandomMisuse, OfArmsIsRefusedOrAnswered) {
   const Eigen::Isometry3d reached = forward_kinematics(whole, Eigen::VectorXd::Constant(6, 0.3));
   Tally tally;
   for (int k = 0; k < misuses(); ++k) {
-    SCOPED_TRACE(k);
-    Slips slips(static_cast<std::uint64_t>(k));
+    SCOPED_TRACE(seed_of(k));
+    Slips slips(seed_of(k));
     const Eigen::VectorXd values = slips.vector();
-    attempt(tally, [&] { forward_kinematics(whole, values); });
-    attempt(tally, [&] { posture_of(whole, values); });
+    const bool has_numbers = is_number(values);
+    attempt(
+        tally, [&] { forward_kinematics(whole, values); }, has_numbers);
+    attempt(
+        tally, [&] { posture_of(whole, values); }, has_numbers);
+    attempt(
+        tally, [&] { all_turns(whole, values); }, has_numbers);
+    attempt(
+        tally, [&] { nearest_turns(whole, values, Eigen::VectorXd::Zero(6)); }, has_numbers);
+    attempt(
+        tally,
+        [&] {
+          Eigen::VectorXd placed = values;
+          place_in_limits(whole, placed);
+        },
+        has_numbers);
     attempt(tally, [&] { poses_of(std::vector<double>(slips.below(40))); });
     Arm arm = whole;
     if (slips.one_in(2)) spoil(arm, slips);
     Eigen::Isometry3d pose = reached;
     pose.matrix()(static_cast<int>(slips.below(4)), static_cast<int>(slips.below(4))) =
         slips.number();
+    const bool is_pose = pose.matrix().allFinite();
     const bool is_broken = !broken_rules(arm).empty();
     if (!is_broken && !slips.one_in(5)) continue;
-    attempt(tally, [&] { find_arm_closures(arm, pose, lanes(), random_options(slips)); });
-    attempt(tally, [&] { tabulate_arm_closures(arm, {reached, pose}, lanes()); });
+    attempt(
+        tally,
+        [&] {
+          const ArmResult result = find_arm_closures(arm, pose, lanes(), random_options(slips));
+          for (const ArmClosure& one : result.closures) EXPECT_TRUE(is_number(one.in_limits));
+        },
+        is_pose);
+    attempt(
+        tally,
+        [&] {
+          tabulate_arm_closures(arm, {reached, pose}, lanes());
+        },
+        is_pose);
   }
   EXPECT_GT(tally.refused, tally.answered / 4);
 }
@@ -435,8 +528,8 @@ TEST(RandomMisuse, OfRobotsIsRefusedOrAnswered) {
   const Robot whole = read_urdf(read_source(MOIVRE_SOURCE_DIR "/problems/robots/puma560.urdf"));
   Tally tally;
   for (int k = 0; k < misuses(); ++k) {
-    SCOPED_TRACE(k);
-    Slips slips(static_cast<std::uint64_t>(k));
+    SCOPED_TRACE(seed_of(k));
+    Slips slips(seed_of(k));
     Robot robot = whole;
     RobotJoint& joint = robot.joints[slips.below(robot.joints.size())];
     RobotLink& link = robot.links[slips.below(robot.links.size())];
@@ -444,15 +537,24 @@ TEST(RandomMisuse, OfRobotsIsRefusedOrAnswered) {
     if (slip == 0) joint.parent = slips.index();
     if (slip == 1) joint.child = slips.index();
     if (slip == 2) joint.axis = {0, 0, 0};
-    if (slip == 3) joint.limits = Limits{slips.number(), slips.number()};
-    if (slip == 4) joint.mimic = Mimic{slips.index(), slips.number(), slips.number()};
+    const double a = slips.number(), b = slips.number(), held = slips.number();
+    if (slip == 3) joint.limits = Limits{a, b};
+    if (slip == 4) joint.mimic = Mimic{slips.index(), a, b};
+    const bool has_numbers = (slip != 3 && slip != 4) || are_numbers({a, b});
     if (slip == 5) link.children.push_back(slips.index());
     if (slip == 6) link.joint = slips.index();
     if (slip == 7) robot.root = slips.index();
     if (slip == 8) joint.name = link.name = slips.name();
-    attempt(tally, [&] { make_arm(robot, {slips.name(), {}, {{slips.name(), slips.number()}}}); });
-    attempt(tally, [&] { make_arm(robot, {}); });
-    attempt(tally, [&] { (void)mechanism_text(robot, slips.name()); });
+    attempt(
+        tally,
+        [&] {
+          make_arm(robot, {slips.name(), {}, {{slips.name(), held}}});
+        },
+        has_numbers && std::isfinite(held));
+    attempt(
+        tally, [&] { make_arm(robot, {}); }, has_numbers);
+    attempt(
+        tally, [&] { (void)mechanism_text(robot, slips.name()); }, has_numbers);
   }
   EXPECT_GT(tally.refused, tally.answered);
 }
@@ -460,12 +562,15 @@ TEST(RandomMisuse, OfRobotsIsRefusedOrAnswered) {
 TEST(RandomMisuse, OfOwnFunctionsIsRefusedOrAnswered) {
   Tally tally;
   for (int k = 0; k < misuses(); ++k) {
-    Slips slips(static_cast<std::uint64_t>(k));
+    SCOPED_TRACE(seed_of(k));
+    Slips slips(seed_of(k));
     const OwnFunction f{[&](const Eigen::VectorXd&) { return slips.vector(); },
                         [&](const Eigen::VectorXd& q) -> Eigen::MatrixXd {
                           return slips.vector() * q.transpose();
                         }};
-    attempt(tally, [&] { newton(slips.one_in(9) ? OwnFunction{} : f, slips.vector()); });
+    const Eigen::VectorXd guess = slips.vector();
+    attempt(
+        tally, [&] { newton(slips.one_in(9) ? OwnFunction{} : f, guess); }, is_number(guess));
   }
   EXPECT_GT(tally.refused, 0);
 }

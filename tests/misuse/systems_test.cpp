@@ -91,6 +91,7 @@ TEST(MisuseTest, AFamilyThatWasChangedIsRefused) {
   refuse([&] { return solve_member(family, {1}, cvode()); });
   const std::vector<Point> members{{Complex(1)}};
   refuse([&] { return solve_members(family, members, cvode()); });
+  refuse([&] { return trace_test(family, cvode()); });
   family.generic = {};
   expect_refused([&] { return solve_member(family, {1}, cvode()); },
                  "the generic member has 0 numbers, not 1");

@@ -77,6 +77,9 @@ struct BranchOptions {
   std::optional<std::vector<double>> velocity_times;
 };
 
+/// Every broken rule as a sentence; empty when the options can be used.
+std::vector<std::string> validate(const BranchOptions& options);
+
 /// An assembled pose.
 struct BranchPose {
   double time = 0;
@@ -107,7 +110,7 @@ struct Branch {
 
 /// Follows the pose q0, assembled at times.front(), through `times` (strictly monotone, either way;
 /// two or more).
-/// Throws std::invalid_argument when q0 or the times are not as said.
+/// Throws std::invalid_argument when q0, the times or the options are not as said.
 Branch follow_branch(const Mechanism& mechanism, const Eigen::VectorXd& q0,
                      const std::vector<double>& times, const BranchOptions& options = {},
                      const std::atomic<bool>& stop = std::atomic<bool>{false});

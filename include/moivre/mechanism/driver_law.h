@@ -53,6 +53,10 @@ struct DriverState {
 
 DriverState driver_state(const DriverLaw& law, double t);
 
+/// Throws InvalidInput where the law has no value at any time: a table without two rows of three
+/// numbers, a formula that lacks an operand.
+void require_law(const DriverLaw& law);
+
 /// Of a periodic spline, any number of periods away.
 DriverState periodic_state(const Spline& spline, double t);
 

@@ -115,6 +115,10 @@ class Phi {
   double mean_length_ = 1;
 };
 
+/// Throws InvalidInput where q has not one finite number for each coordinate, or t is not finite.
+/// Phi itself may be evaluated anywhere: at NaN it is NaN.
+void require_place(const Phi& phi, const Eigen::VectorXd& q, double t);
+
 /// Whether coordinate k is a length.
 bool is_length(const Phi& phi, Eigen::Index k);
 /// The size of a pose: its largest length, phi.length() at least.
