@@ -104,9 +104,9 @@ TEST(Newton, RefusesAWrongGuessWithEveryRule) {
     newton(phi, VectorXd::Zero(2), 0, options);
     FAIL() << "the guess has the wrong size";
   } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(
-        std::string(error.what()),
-        "the guess has 2 entries, there are 9 coordinates. residual_tolerance must be positive.");
+    EXPECT_EQ(std::string(error.what()),
+              "the guess has 2 entries, there are 9 coordinates. residual_tolerance must be finite "
+              "and positive.");
   }
 }
 
