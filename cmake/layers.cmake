@@ -93,7 +93,8 @@ set(MOIVRE_THIRD_PARTY_cli CLI11::CLI11)
 # Of a package in MOIVRE_HEADER_ONLY only the headers are used, and nothing is linked: a consumer of the installed library
 # needs it only where it is vocabulary of the public headers (MOIVRE_VOCABULARY).
 set(MOIVRE_FIND_Eigen3::Eigen Eigen3 3.4)
-set(MOIVRE_FIND_Boost::headers Boost 1.74)
+# By the file that Boost brings: CMake means to have no finder of its own for it, and says so from 3.30.
+set(MOIVRE_FIND_Boost::headers Boost 1.74 CONFIG)
 set(MOIVRE_FIND_taocpp::pegtl pegtl 3.2)
 set(MOIVRE_FIND_SQLite::SQLite3 SQLite3 3.40)
 # SUNDIALS 7 on MPI names MPI's C++ target, too, and looks for none where there is that of C.
