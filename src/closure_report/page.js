@@ -32,7 +32,13 @@
   const covered = (p, q) => Math.max(0, Math.min(p.x + p.w, q.x + q.w) - Math.max(p.x, q.x)) *
     Math.max(0, Math.min(p.y + p.h, q.y + q.h) - Math.max(p.y, q.y));
   const sides = [1, 7, 3, 5, 0, 4, 2, 6].map((k) => [Math.cos(k * Math.PI / 4), Math.sin(k * Math.PI / 4)]);
-  const sizeOf = (label) => [label.getComputedTextLength(), parseFloat(getComputedStyle(label).fontSize)];
+  // A name's room reaches as far from its middle as its ink: slanted letters, of a font that has none of its own above all,
+  // stand out beyond where the next letter would begin.
+  const sizeOf = (label) => {
+    const box = label.getBBox();
+    const middle = Number(label.getAttribute('x'));
+    return [2 * Math.max(middle - box.x, box.x + box.width - middle), parseFloat(getComputedStyle(label).fontSize)];
+  };
   // The middle of a name of this width and height beside the anchor (x, y), own = the side that it was drawn on.
   const placeName = (taken, [x, y], own, [w, h]) => {
     const room = 0.6 * h;
