@@ -3,6 +3,7 @@
 // cycles, walked together.
 #include "path_pool.h"
 
+#include <tbb/cache_aligned_allocator.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -23,6 +24,16 @@
 
 namespace moivre {
 namespace {
+
+// At least what the stack of one thread takes.
+constexpr std::size_t kRoomForThreads = std::size_t{4} << 20;
+
+// Where memory ends while it sets up its threads, oneTBB 2022 spins for ever: it holds the lock
+// that its exception asks for. What it needs is asked for before, of its own allocator, unlocked.
+void expect_room_for_threads() {
+  tbb::cache_aligned_allocator<char> memory;
+  memory.deallocate(memory.allocate(kRoomForThreads), kRoomForThreads);
+}
 
 // To wake the threads of a pool takes longer than to follow so few paths, unless these were found
 // to be hard.
@@ -238,6 +249,7 @@ void for_each_parallel(std::size_t count, int threads, const std::function<void(
     for (std::size_t k = 0; k < count; ++k) f(k);
     return;
   }
+  expect_room_for_threads();
   // Without it oneTBB warns, and keeps to the number of cores, where more threads are asked for.
   const tbb::global_control allowed(tbb::global_control::max_allowed_parallelism,
                                     static_cast<std::size_t>(threads));
