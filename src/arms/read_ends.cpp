@@ -79,7 +79,8 @@ bool is_at_set(const SingularEnd& end, const PostureList& list,
 bool is_on_plane(const SingularEnd& end, const PostureList& list) {
   constexpr double kOnPlane = 1e-3;
   return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
-    if (set.relations.empty() || !(is_exact(set) || is_searched(set))) return false;
+    const bool is_told = is_exact(set) || (is_searched(set) && set.misfit > kReach);
+    if (set.relations.empty() || !is_told) return false;
     if (!is_on(list.arm, set, end.values, kOnPlane)) return false;
     const Eigen::VectorXd along = PivotedQr<double>(set.directions).solve(end.imaginary);
     return (end.imaginary - set.directions * along).norm() <= kOnPlane;

@@ -130,7 +130,6 @@ std::size_t missing_roots(const System& curve, const Point& base, const std::vec
 
 TraceTest trace_test(const Family& family, const Tracker& tracker, const MonodromyOptions& options,
                      const std::atomic<bool>& stop) {
-  require_unbroken(validate(options));
   require_unbroken(broken_rules(family));
   TraceTest test;
   if (family.roots.empty()) return test;
