@@ -94,8 +94,8 @@ JointVector<double> step_of(const Linearized& at, const Square& across, double a
 SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, Eigen::VectorXd values,
                  const Eigen::MatrixXd& frozen, double accuracy) {
   constexpr int kMost = 40;
-  constexpr double kLongest = 0.2, kRounding = 1e-13, kShare = 1e-3;
-  const double enough = std::max(kRounding, kShare * accuracy);
+  constexpr double kLongest = 0.2, kSettled = 1e-13, kShare = 1e-3;
+  const double enough = std::max(kSettled, kShare * accuracy);
   const Square across = across_of(frozen);
   SetPlace place = place_at(arm, pose, values);
   for (int k = 0; k < kMost; ++k) {
