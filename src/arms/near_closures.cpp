@@ -66,8 +66,7 @@ Eigen::VectorXd nearest_to_pose(const Arm& arm, const Eigen::Isometry3d& pose, c
 
 /// Where the tip misses the pose by no more than rounding, one place of many in a row is left.
 std::vector<Miss> told_apart(const std::vector<Miss>& all) {
-  constexpr double kRoundingOfMiss = 1e-14;
-  const auto is_told = [](const Miss& miss) { return std::abs(miss.size) > kRoundingOfMiss; };
+  const auto is_told = [](const Miss& miss) { return std::abs(miss.size) > kLeastError; };
   std::vector<Miss> apart;
   for (const Miss& miss : all) {
     const bool goes_on = !apart.empty() && !is_told(apart.back()) && !is_told(miss);

@@ -25,6 +25,8 @@ double size_of(const Velocity6<double>& error);
 
 /// An error that is smaller is rounding.
 inline constexpr double kRoundingError = 1e-13;
+/// A smaller one is none, as far as double tells.
+inline constexpr double kLeastError = 1e-14;
 
 struct Polished {
   JointVector<double> values;

@@ -132,11 +132,11 @@ std::optional<std::size_t> set_of(const PostureList& list, const Eigen::VectorXd
 
 /// Whether double tells a posture from those along the joints' weakest motion.
 bool stands_alone(const PostureList& list, const Polished& posture) {
-  constexpr double kAway = 1e-2, kLastDigits = 1e-14;
+  constexpr double kAway = 1e-2;
   const SetPlace place = place_at(list.arm, list.pose, posture.values);
   const Eigen::VectorXd way = posture.least_moving;
-  return !moved(list.arm, list.pose, place, way, kAway, kLastDigits) &&
-         !moved(list.arm, list.pose, place, -way, kAway, kLastDigits);
+  return !moved(list.arm, list.pose, place, way, kAway, kLeastError) &&
+         !moved(list.arm, list.pose, place, -way, kAway, kLeastError);
 }
 
 /// The closures that are on a set within the digits.

@@ -3,27 +3,23 @@
 #include "moivre/endgame/end_parameters.h"
 
 #include <cmath>
-#include <utility>
+
+#include "moivre/numeric/positive.h"
 
 namespace moivre {
 
 std::vector<std::string> validate(const EndParameters& ends) {
-  std::vector<std::string> broken;
-  const std::pair<const char*, double> numbers[] = {{"watch_radius", ends.watch_radius},
-                                                    {"creeping_radius", ends.creeping_radius},
-                                                    {"least_radius", ends.least_radius},
-                                                    {"rounding", ends.rounding},
-                                                    {"sample_error", ends.sample_error},
-                                                    {"agreement", ends.agreement},
-                                                    {"regular_condition", ends.regular_condition},
-                                                    {"singular_condition", ends.singular_condition},
-                                                    {"beyond", ends.beyond},
-                                                    {"valuation_error", ends.valuation_error},
-                                                    {"fine_rounding", ends.fine_rounding}};
-  for (const auto& [name, number] : numbers) {
-    if (number > 0 && std::isfinite(number)) continue;
-    broken.push_back(std::string(name) + " must be finite and above 0");
-  }
+  std::vector<std::string> broken = not_positive({{"watch_radius", ends.watch_radius},
+                                                  {"creeping_radius", ends.creeping_radius},
+                                                  {"least_radius", ends.least_radius},
+                                                  {"rounding", ends.rounding},
+                                                  {"sample_error", ends.sample_error},
+                                                  {"agreement", ends.agreement},
+                                                  {"regular_condition", ends.regular_condition},
+                                                  {"singular_condition", ends.singular_condition},
+                                                  {"beyond", ends.beyond},
+                                                  {"valuation_error", ends.valuation_error},
+                                                  {"fine_rounding", ends.fine_rounding}});
   if (ends.samples < 4 || ends.samples % 2 != 0) {
     broken.push_back("samples must be even and at least 4");
   }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <utility>
 
 #include "curve.h"
 #include "extreme_singular_values.h"
@@ -15,6 +14,7 @@
 #include "moivre/kinematics/state.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/numeric/invalid_input.h"
+#include "moivre/numeric/positive.h"
 #include "noise.h"
 #include "segment.h"
 #include "staircase_qr.h"
@@ -493,15 +493,10 @@ std::string to_string(EventKind kind) {
 }
 
 std::vector<std::string> validate(const BranchOptions& options) {
-  std::vector<std::string> broken;
-  const std::pair<const char*, double> numbers[] = {{"largest_turn_rad", options.largest_turn_rad},
-                                                    {"largest_miss", options.largest_miss},
-                                                    {"longest_step", options.longest_step},
-                                                    {"largest_approach", options.largest_approach}};
-  for (const auto& [name, number] : numbers) {
-    if (number > 0 && std::isfinite(number)) continue;
-    broken.push_back(std::string(name) + " must be finite and above 0");
-  }
+  std::vector<std::string> broken = not_positive({{"largest_turn_rad", options.largest_turn_rad},
+                                                  {"largest_miss", options.largest_miss},
+                                                  {"longest_step", options.longest_step},
+                                                  {"largest_approach", options.largest_approach}});
   if (options.maximum_steps < 1) broken.emplace_back("maximum_steps must be 1 or more");
   if (!options.velocity_times) return broken;
   const std::vector<double>& times = *options.velocity_times;

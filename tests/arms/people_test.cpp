@@ -244,18 +244,24 @@ TEST(PeoplesArmsTest, APairThatIsNearlyRealIsAClosureWithinThePosesAccuracy) {
   EXPECT_LE(between->residual, result.accuracy);
 }
 
+/// Seeds 1 to 5 list so many closures of the pose, and the posture that it was made from.
+void expect_listed(const char* name, const Eigen::VectorXd& own, std::size_t count, double within) {
+  const Arm arm = made_of({name, {}, {}});
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const ArmResult result =
+        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread(seed));
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.closures.size(), count);
+    EXPECT_LT(least_distance(arm, result, own), within);
+  }
+}
+
 /// Stretched, its two closures meet so flatly that rounding leaves a thousandth of a radian open,
 /// and the accuracy of the pose a tenth.
 TEST(PeoplesArmsTest, PlacesOfAFlatMeetingOfClosuresAreOfThem) {
   const Eigen::VectorXd own{{-1e-10, 6e-10, -6e-10, 6e-10, -1e-09, 2e-10}};
-  const Arm arm = made_of({"tm12_three_digits", {}, {}});
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const ArmResult result =
-        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread(seed));
-    EXPECT_TRUE(result.complete) << result.message;
-    EXPECT_EQ(result.closures.size(), 3U);
-    EXPECT_LT(least_distance(arm, result, own), 2e-3);
-  }
+  expect_listed("tm12_three_digits", own, 3, 2e-3);
 }
 
 /// Folded, its wrist is 3e-7 from the shoulder's axis: on the last ten millionth of their way four
@@ -272,14 +278,7 @@ TEST(PeoplesArmsTest, PathsAreFollowedToTheirEndsBesideASet) {
 TEST(PeoplesArmsTest, ClosuresOnASurfaceWithinTheDigitsAreListed) {
   const Eigen::VectorXd own{
       {0.4150931203, -2.4809975078, 1.6900918878, -1.550518959, 2.5418622791, -0.7340360497}};
-  const Arm arm = made_of({"irb1200_three_digits", {}, {}});
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    const ArmResult result =
-        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread(seed));
-    EXPECT_TRUE(result.complete) << result.message;
-    EXPECT_EQ(result.closures.size(), 4U);
-    EXPECT_LT(least_distance(arm, result, own), 1e-5);
-  }
+  expect_listed("irb1200_three_digits", own, 4, 1e-5);
 }
 
 /// Two closures are 1.2e-3 apart on a bent curve, along which Newton's steps miss the pose by more
