@@ -75,9 +75,9 @@ std::optional<JointVector<double>> step_across(const Linearized& at, const Eigen
   return step;
 }
 
-/// Without the directions that are lost, or in which the miss is within the accuracy and far.
+/// Without the directions that rounding makes, or in which the miss is within the accuracy and far.
 JointVector<double> step_of(const Linearized& at, const Square& across, double accuracy) {
-  constexpr double kLost = 1e-9;
+  constexpr double kLost = 1e-13;
   const Svd stretch = svd(at.screws * across, SingularVectors::thin);
   Eigen::VectorXd along = stretch.U.transpose() * at.error;
   for (Eigen::Index i = 0; i < along.size(); ++i) {
