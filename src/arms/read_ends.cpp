@@ -102,13 +102,14 @@ bool is_at_listed(const SingularEnd& end, PostureList& list, PathsSeen& seen, Ar
 /// The pose is held on the way from what is listed to a place.
 bool hold_between(const PostureList& list, const Eigen::VectorXd& values,
                   const Eigen::VectorXd& place) {
-  constexpr double kLongestWay = 0.3;
+  constexpr double kShortWay = 0.3;
   const double away = distance(list.arm, values, place);
   if (away <= kNear) return true;
-  if (away > kLongestWay) return false;
   const Eigen::VectorXd way = way_between(list.arm, values, place);
   const SetPlace from = place_at(list.arm, list.pose, values);
-  return leads_to(list.arm, list.pose, from, way, list.accuracy);
+  const auto half_way = place_between(list.arm, list.pose, from, way, list.accuracy);
+  if (!half_way || away <= kShortWay) return half_way.has_value();
+  return hold_between(list, values, half_way->values) && hold_between(list, half_way->values, place);
 }
 
 }  // namespace

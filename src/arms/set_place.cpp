@@ -120,13 +120,20 @@ std::optional<SetPlace> moved(const Arm& arm, const Eigen::Isometry3d& pose, con
   return place;
 }
 
-bool leads_to(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& place,
-              const Eigen::VectorXd& gone, double accuracy) {
+std::optional<SetPlace> place_between(const Arm& arm, const Eigen::Isometry3d& pose,
+                                      const SetPlace& place, const Eigen::VectorXd& gone,
+                                      double accuracy) {
   constexpr double kBow = 0.1;
   const Eigen::VectorXd half = place.values + in_joints<double>(arm, gone / 2);
-  const SetPlace between = settled(arm, pose, half, gone.normalized(), accuracy);
-  return between.residual <= accuracy &&
-         in_arms_lengths(arm, between.values - half).norm() <= kBow * gone.norm();
+  SetPlace between = settled(arm, pose, half, gone.normalized(), accuracy);
+  const double bow = in_arms_lengths(arm, between.values - half).norm();
+  if (!(between.residual <= accuracy && bow <= kBow * gone.norm())) return std::nullopt;
+  return between;
+}
+
+bool leads_to(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& place,
+              const Eigen::VectorXd& gone, double accuracy) {
+  return place_between(arm, pose, place, gone, accuracy).has_value();
 }
 
 }  // namespace moivre

@@ -52,8 +52,13 @@ SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, Eigen::VectorXd 
 std::optional<SetPlace> moved(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from,
                               const Eigen::VectorXd& direction, double step, double accuracy);
 
-/// Whether the set goes straight on from here to `gone`: half way there is a place of it as well.
-/// Other sets and closures may be as near.
+/// The place of the set half way from here to `gone`, where the set goes straight on; nothing where
+/// it does not: other sets and closures may be as near.
+std::optional<SetPlace> place_between(const Arm& arm, const Eigen::Isometry3d& pose,
+                                      const SetPlace& place, const Eigen::VectorXd& gone,
+                                      double accuracy);
+
+/// Whether there is one.
 bool leads_to(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& place,
               const Eigen::VectorXd& gone, double accuracy);
 
