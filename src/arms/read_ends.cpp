@@ -109,7 +109,8 @@ bool hold_between(const PostureList& list, const Eigen::VectorXd& values,
   const SetPlace from = place_at(list.arm, list.pose, values);
   const auto half_way = place_between(list.arm, list.pose, from, way, list.accuracy);
   if (!half_way || away <= kShortWay) return half_way.has_value();
-  return hold_between(list, values, half_way->values) && hold_between(list, half_way->values, place);
+  return hold_between(list, values, half_way->values) &&
+         hold_between(list, half_way->values, place);
 }
 
 }  // namespace
