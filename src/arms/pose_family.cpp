@@ -81,7 +81,6 @@ std::vector<ApproachEnd> ends_of(const PoseFamily& poses, const Arm& arm,
                                  const Eigen::Isometry3d& pose, const Loop& loop,
                                  const MemberRoots& roots) {
   constexpr double kMovedByMeaning = 0.2;
-  if (!roots.complete) return {};
   std::vector<ApproachEnd> ends;
   const Placement<Complex> wanted = complex_placement(pose);
   for (const auto& solution : roots.roots) {

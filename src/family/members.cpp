@@ -151,7 +151,7 @@ class MemberSource : public DepartureSource {
     return true;
   }
 
-  /// False where the end is no regular root.
+  /// False where the end is no regular root, as far as its condition tells.
   bool take(const Departure& departure, Arrival&& arrival, MemberRoot& root) {
     if (arrival.journey != Journey::arrived) return false;
     scratch_.set_frame(departure.frame.get());
@@ -161,16 +161,13 @@ class MemberSource : public DepartureSource {
     const Chart& chart = shared_.homotopy.chart();
     const double finiteness = chart.finiteness(arrival.x);
     root.condition = scratch_.condition();
-    if (!correction.converged || !(root.condition <= kRegularCondition) ||
-        finiteness < kLeastFiniteness) {
-      return false;
-    }
+    if (!correction.converged || finiteness < kLeastFiniteness) return false;
     root.accuracy = correction.last / finiteness;
     root.x = std::move(arrival.x);
     const Complex x0 = root.x.back();
     root.x.pop_back();
     for (Complex& xj : root.x) xj /= x0;
-    return true;
+    return root.condition <= kRegularCondition;
   }
 
   void finish(std::size_t member, MemberRoots& result) {
@@ -227,12 +224,20 @@ void judge_the_rest(Shared& shared, int threads) {
   });
 }
 
-/// Of members whose paths did not all come to a root, before any is judged: those that did.
-void keep_what_arrived(std::vector<MemberRoots>& results) {
+/// What becomes of members that their paths alone do not decide.
+enum class AnyDoubt { stays, is_judged };
+
+/// Of members whose paths did not all come to a regular root: the others are no roots, or may be
+/// none.
+void keep_what_arrived(AnyDoubt doubt, std::vector<MemberRoots>& results) {
+  const bool keeps_doubtful_ends = doubt == AnyDoubt::stays;
   for (MemberRoots& result : results) {
     if (result.complete) continue;
     result.at_infinity = 0;
-    std::erase_if(result.roots, [](const MemberRoot& root) { return root.x.empty(); });
+    std::erase_if(result.roots, [&](const MemberRoot& root) {
+      const bool is_doubtful = !(root.condition <= kRegularCondition);
+      return root.x.empty() || (is_doubtful && !keeps_doubtful_ends);
+    });
     tell_real_ones(result.roots);
   }
 }
@@ -275,9 +280,6 @@ void require_fitting(const Family& family, std::span<const Point> members) {
   }
 }
 
-/// What becomes of members that their paths alone do not decide.
-enum class AnyDoubt { stays, is_judged };
-
 std::vector<MemberRoots> roots_of(const Family& family, std::span<const Point> members,
                                   const Tracker& tracker, const SolveOptions& options,
                                   const std::atomic<bool>& stop, AnyDoubt doubt) {
@@ -315,7 +317,7 @@ std::vector<MemberRoots> roots_of(const Family& family, std::span<const Point> m
       MemberSource source(shared);
       run_session(*tracker.open(shared.homotopy), source, stop);
     });
-    keep_what_arrived(results);
+    keep_what_arrived(doubt, results);
     if (options.certify) certify_members(family, members, threads, stop, results);
   }
   if (doubt == AnyDoubt::is_judged) judge_the_rest(shared, threads);
