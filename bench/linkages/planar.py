@@ -62,10 +62,11 @@ class Planar:
     def pin(self, a, b, place):
         return self.joint("revolute", a, b, place)
 
-    def gear(self, a, b, ratio):
-        """Wheels on the ground that mesh as they are drawn; the first is driven."""
-        phase = self.frames[b][2] - ratio[0] / ratio[1] * self.frames[a][2]
-        self.joints.append({"type": "gear", "a": a, "b": b, "ratio": ratio, "phase": self.typed(phase), "name": f"j{len(self.joints)}"})
+    def gear(self, a, b, ratio, carrier=0):
+        """Wheels that mesh as they are drawn; a driver or the ground determines the first one's angle to the carrier, or b has one tooth."""
+        one, two = (self.frames[k][2] - self.frames[carrier][2] for k in (a, b))
+        phase = two - ratio[0] / ratio[1] * one
+        self.joints.append({"type": "gear", "a": a, "b": b, "ratio": ratio, "carrier": carrier, "phase": self.typed(phase), "name": f"j{len(self.joints)}"})
 
     def drive_angle(self, body, add=0.0):
         self.drivers.append({"kind": "angle", "body": body, "value": self.frames[body][2] + add})
@@ -87,7 +88,7 @@ class Planar:
             lines += ["[[joint]]", f'type = "{j["type"]}"', f'name = "{j["name"]}"']
             a, b = self.bodies[j["a"]], self.bodies[j["b"]]
             if j["type"] == "gear":
-                lines += [f'bodies = ["{a}", "{b}"]', f"ratio = {list(j['ratio'])}", f"phase = {j['phase']!r}"]
+                lines += [f'bodies = ["{a}", "{b}"]', f"ratio = {list(j['ratio'])}", f"phase = {j['phase']!r}", f'carrier = "{self.bodies[j["carrier"]]}"']
                 continue
             lines.append(f'at = ["{a}.{j["P"]}", "{b}.{j["Q"]}"]')
             lines += [f"{key} = {list(j[key]) if key == 'along' else repr(j[key])}" for key in ("along", "turn") if key in j]
@@ -148,11 +149,11 @@ class Planar:
         for j in self.joints:
             if j["type"] == "gear":
                 # The driver's whole turns count.
-                driven = next(d["value"] for d in self.drivers if d.get("body") == j["a"])
-                (z1, z2), a2 = j["ratio"], self.angle(q, j["b"])
-                a1 = driven + wrapped(self.angle(q, j["a"]) - driven)
+                driven = next((d["value"] for d in self.drivers if d.get("body") == j["a"]), 0.0)
+                (z1, z2), carrier = j["ratio"], self.angle(q, j["carrier"])
+                a1, a2 = driven + wrapped(self.angle(q, j["a"]) - carrier - driven), self.angle(q, j["b"]) - carrier
                 row(wrapped(z1 * a1 - z2 * (a2 - j["phase"]), 2 * math.pi * z2) / abs(z2), (j["a"], 0, 0, z1 / abs(z2)),
-                    (j["b"], 0, 0, -z2 / abs(z2)), turns=True)
+                    (j["b"], 0, 0, -z2 / abs(z2)), (j["carrier"], 0, 0, (z2 - z1) / abs(z2)), turns=True)
                 continue
             p, dp = self.place(q, j["a"], j["P"])
             r, dr = self.place(q, j["b"], j["Q"])
