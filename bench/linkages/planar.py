@@ -161,7 +161,9 @@ class Planar:
                 for k in range(2):
                     row(p[:, k] - r[:, k], (j["a"], k == 0, k == 1, dp[:, k]), (j["b"], -(k == 0), -(k == 1), -dr[:, k]))
             elif j["type"] in ("rod", "actuator"):
-                length = next((d["value"] for d in self.drivers if d.get("joint") is j), j["length"])
+                length = next((d["value"] for d in self.drivers if d.get("joint") is j), j["length"] if j["type"] == "rod" else None)
+                if length is None:
+                    continue
                 d = r - p
                 size = max(length, 1e-3)
                 row(((d * d).sum(1) - length * length) / (2 * size),

@@ -208,7 +208,9 @@ class Spatial:
                 u, v = (vector(body, np.array(w) / np.linalg.norm(w)) for body, w in zip((a, b), j["axes"]))
                 add((u * v).sum(1)[:, None], [(a, np.cross(u, v)[:, None], 0), (b, np.cross(v, u)[:, None], 0)], turns=True)
             if j["type"] in ("rod", "actuator"):
-                length = next((d["value"] for d in self.drivers if d["joint"] is j), j["length"])
+                length = next((d["value"] for d in self.drivers if d["joint"] is j), j["length"] if j["type"] == "rod" else None)
+                if length is None:
+                    continue
                 d = pb - pa
                 add((((d * d).sum(1) - length * length) / (2 * length))[:, None],
                     [(a, (-np.cross(ra, d) / length)[:, None], (-d / length)[:, None]),
