@@ -129,7 +129,7 @@ void take_near_misses(ClosureSearch& search) {
   const double t = search.options.time;
   if (search.mechanism.fit && is_drawn_at(search.mechanism, t)) {
     const NewtonResult drawn = settled(search, Eigen::VectorXd::Zero(search.phi.dimension()));
-    if (!closes(search, drawn)) take_fitted(search, drawn);
+    if (!is_at_root(search, drawn)) take_fitted(search, drawn);
   }
   for (const auto& [near, is_rejected, is_near] : search.near_misses) {
     const NewtonResult least = settled(search, coordinates_of_root(search.formulation, near.x));
@@ -139,7 +139,7 @@ void take_near_misses(ClosureSearch& search) {
       take_back(search, near, least);
       continue;
     }
-    if (closes(search, least)) continue;
+    if (is_at_root(search, least)) continue;
     if (is_near) note_misfit(search, closure);
     take_fitted(search, least);
   }
@@ -183,11 +183,15 @@ bool has_gears(const Mechanism& mechanism) {
                      [](const Joint& joint) { return is_transmission(joint.type); });
 }
 
+bool is_at_root(const ClosureSearch& search, const NewtonResult& pose) {
+  return closes(search, pose) &&
+         (search.result.moves || has_root_nearby(search.phi, pose.q, search.options.time));
+}
+
 bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose) {
   // It may be in another meshing of the teeth than the drawn one.
-  return closes(search, pose) && !pose.is_singular && !search.result.moves &&
-         !has_gears(search.mechanism) && has_root_nearby(search.phi, pose.q, search.options.time) &&
-         are_spins_as_meant(search.mechanism, pose.q) &&
+  return is_at_root(search, pose) && !pose.is_singular && !search.result.moves &&
+         !has_gears(search.mechanism) && are_spins_as_meant(search.mechanism, pose.q) &&
          !broken_limit(search.mechanism, search.phi.canonical(pose.q));
 }
 

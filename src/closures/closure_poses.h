@@ -24,6 +24,10 @@ void tell_limits(ClosureSearch& search);
 /// Whether Newton-Raphson came to a pose that satisfies spare constraints too.
 bool closes(const ClosureSearch& search, const NewtonResult& pose);
 
+/// Whether it closes where a root is, or on a set: beside a fold what closes to rounding may have
+/// complex roots alone, and is a pose within Mechanism::fit.
+bool is_at_root(const ClosureSearch& search, const NewtonResult& pose);
+
 /// Is this pose of a multiple root, or one that Newton-Raphson came to, one of many? Then it is
 /// told as the one that moves.
 bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q);

@@ -168,10 +168,7 @@ void take_root(ClosureSearch& search, const PartialRoot& root, const ResidualOfR
   const bool has_spare = system.polynomials.size() > system.variables.size();
   solution.real = proved && !has_spare ? proved->real.value_or(is_near_real) : is_near_real;
   if (!solution.real && search.mechanism.fit) note_near_miss(search, solution, false);
-  if (search.has_proofs()) {
-    solution.certified = proved && proved->real == solution.real;
-    if (!solution.certified.value() && may_be_several(solution)) ++search.unproved;
-  }
+  if (search.has_proofs()) solution.certified = proved && proved->real == solution.real;
   search.result.solutions.push_back(std::move(solution));
 }
 
@@ -224,13 +221,15 @@ void drop_proofs_within_rounding(const Formulation& formulation, RootProver& pro
 
 /// Simple roots of the rounded polynomials that are no farther apart than rounding moves a double
 /// root, none of them proved of the mechanism as typed, are a cluster: two closures, or none, or
-/// one as often.
+/// one as often. Of redundant equations nothing is proved, and at a dead point rounding alone says
+/// whether two roots are real.
 void merge_unproved(ClosureSearch& search) {
   // What rounding to double leaves of the distance of two roots: its square root.
   constexpr double kApart = 1e-7;
   std::vector<Solution>& roots = search.result.solutions;
   const auto is_unproved = [](const Solution& root) {
-    return root.certified == false && (!root.singular || root.cluster);
+    if (root.singular) return root.cluster && root.certified != true;
+    return root.certified ? !*root.certified : may_be_several(root);
   };
   for (std::size_t i = 0; i < roots.size(); ++i) {
     for (std::size_t j = i + 1; j < roots.size();) {
@@ -242,8 +241,6 @@ void merge_unproved(ClosureSearch& search) {
         continue;
       }
       roots[i].radius = std::max(roots[i].radius, max_distance(roots[i].x, roots[j].x));
-      search.unproved -=
-          (may_be_several(roots[i]) ? 1U : 0U) + (may_be_several(roots[j]) ? 1U : 0U);
       for (std::size_t k = 0; k < roots[i].x.size(); ++k) {
         roots[i].x[k] = 0.5 * (roots[i].x[k] + roots[j].x[k]);
       }
@@ -392,7 +389,11 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   drop_proofs_within_rounding(search.formulation, prover, run.roots);
   const ResidualOfRoots residual(search.formulation);
   for (const PartialRoot& root : run.roots) take_root(search, root, residual, prover);
-  if (search.has_proofs()) merge_unproved(search);
+  merge_unproved(search);
+  search.unproved = static_cast<std::uint64_t>(
+      std::count_if(result.solutions.begin(), result.solutions.end(), [](const Solution& solution) {
+        return solution.certified == false && may_be_several(solution);
+      }));
   if (search.has_proofs())
     result.completeness = completeness(search.formulation, prover, run, result);
   if (!has_unseen_sets) return;

@@ -97,7 +97,7 @@ void look_for_fitted(ClosureSearch& search) {
                : random_pose(search.phi, guess, search.options.solve.seed, 2 * kMovingStarts + k);
     const NewtonResult least = settled(search, start);
     ++idle;
-    if (!least.q.allFinite() || closes(search, least)) continue;
+    if (!least.q.allFinite() || is_at_root(search, least)) continue;
     if (!are_spins_as_meant(search.mechanism, least.q) || !take_fitted(search, least)) continue;
     ++found;
     idle = 0;

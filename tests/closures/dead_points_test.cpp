@@ -107,6 +107,17 @@ TEST(NearADeadPoint, WhatMissesByLessThanRoundingCannotBeAssembled) {
   }
 }
 
+TEST(NearADeadPoint, WhatMissesByLessThanRoundingIsWithinAFit) {
+  for (const FourBar& bar : {FourBar{7, 2, 1.25, 3.5, "2.530365515209935", "17", "deg", false},
+                             FourBar{4, 0, 3, 2, "0.5719512758107466", "40", "deg", false}}) {
+    const ClosureResult result = closures_of("fit = 1e-9\n" + text_of(bar));
+    EXPECT_EQ(result.counts.complex, 2U);
+    EXPECT_EQ(result.counts.real, 0U);
+    ASSERT_EQ(result.closures.size(), 1U) << result.message;
+    EXPECT_TRUE(result.closures[0].is_fitted);
+  }
+}
+
 // A crank of 3 at 60 degrees and a frame of 8: |AD| = 7, exactly coupler + rocker.
 TEST(NearADeadPoint, ADeadPointItselfIsNotProvedToBeTwoClosures) {
   const ClosureResult result = closures_of(text_of({8, 0, 3, 3, "4", "60", "deg", true}));
@@ -143,6 +154,119 @@ TEST(NearADeadPoint, InSpaceWhatRoundingCannotMergeIsProved) {
   const ClosureResult beyond = closures_of(slide_in_space("7.9999999"));
   EXPECT_EQ(beyond.completeness, RootCompleteness::proved);
   EXPECT_EQ(beyond.counts.real, 0U);
+}
+
+// A strut on a wheel carrier: one of six equations is spare, and nothing is proved. Its tie rod of 3
+// is in the plane of the steering axis, where two closures meet. They were told as two closures.
+TEST(NearADeadPoint, OfRedundantEquationsTwoClosuresThatRoundingMayMergeAreACluster) {
+  for (const char* rod : {"3", "3.0000000000000004", "2.9999999999999996"}) {
+    const ClosureResult result = closures_of(std::string(R"toml(
+space = "spatial"
+[ground.points]
+G = [-2, 0, 0]
+T = [0, 0, 5]
+W = [0, 5, 1]
+[body.arm.points]
+G = [-2, 0, 0]
+B = [0, 0, 0]
+[body.carrier.points]
+B = [0, 0, 0]
+S = [0, 0, 1]
+A = [0, 2, 1]
+[body.strut.points]
+S = [0, 1.2, 2.6]
+T = [0, 0, 5]
+[[joint]]
+type = "revolute"
+at = ["ground.G", "arm.G"]
+axis = [0, 1, 0]
+name = "arm"
+[[joint]]
+type = "spherical"
+at = ["arm.B", "carrier.B"]
+[[joint]]
+type = "spherical"
+at = ["ground.T", "strut.T"]
+[[joint]]
+type = "prismatic"
+at = ["carrier.S", "strut.S"]
+axis = [0, 0.6, 0.8]
+[[driver]]
+angle = "arm"
+start = 0
+[[joint]]
+type = "rod"
+at = ["ground.W", "carrier.A"]
+length = )toml") + rod);
+    EXPECT_TRUE(result.complete) << result.message;
+    ASSERT_EQ(result.closures.size(), 1U);
+    EXPECT_TRUE(result.closures[0].is_drawn);
+    EXPECT_EQ(result.closures[0].multiplicity, 2U);
+  }
+}
+
+// A piston on three equal cranks at the end of its stroke, typed with fifteen digits in frames of
+// their own. Rounding left a pair of complex roots, and it was said that it cannot be assembled.
+TEST(NearADeadPoint, OfRedundantEquationsARealPoseThatRoundingMakesComplexIsListed) {
+  const ClosureResult result = closures_of(R"toml(
+[ground.points]
+O = [0, 0]
+P = [3, 0]
+Q = [6, 0]
+[body.b1.points]
+O = [0, 0]
+A = [1, 0]
+[body.b2.points]
+P = [0, 0]
+B = [1, 1e-15]
+[body.b3.points]
+Q = [-1e-15, -1e-15]
+C = [0.999999999999999, 0]
+[body.b4.points]
+A = [1e-15, 0]
+B = [3, -1e-15]
+C = [6, -2e-15]
+[body.b5.points]
+C = [4, 1e-15]
+S = [0, 0]
+[body.b6.points]
+S = [0, 0]
+[[joint]]
+type = "revolute"
+at = ["b5.S", "b6.S"]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "b1.O"]
+[[joint]]
+type = "revolute"
+at = ["ground.P", "b2.P"]
+[[joint]]
+type = "revolute"
+at = ["ground.Q", "b3.Q"]
+[[joint]]
+type = "revolute"
+at = ["b1.A", "b4.A"]
+[[joint]]
+type = "revolute"
+at = ["b2.B", "b4.B"]
+[[joint]]
+type = "revolute"
+at = ["b3.C", "b4.C"]
+[[joint]]
+type = "revolute"
+at = ["b3.C", "b5.C"]
+[[joint]]
+type = "prismatic"
+at = ["ground.Q", "b6.S"]
+along = [1, 0]
+name = "g"
+[[driver]]
+slide = "g"
+start = 3
+)toml");
+  EXPECT_TRUE(result.complete) << result.message;
+  ASSERT_EQ(result.closures.size(), 1U) << result.message;
+  EXPECT_EQ(result.closures[0].multiplicity, 2U);
 }
 
 // A quick return in two of its dead points. Above one angle of its arm rounding parts the two roots
