@@ -184,8 +184,10 @@ bool has_gears(const Mechanism& mechanism) {
 }
 
 bool is_at_root(const ClosureSearch& search, const NewtonResult& pose) {
+  const double t = search.options.time;
   return closes(search, pose) &&
-         (search.result.moves || has_root_nearby(search.phi, pose.q, search.options.time));
+         (has_root_nearby(search.phi, pose.q, t) ||
+          moves_at(search.phi, search.phi.canonical(pose.q), t, search.options.solve.seed));
 }
 
 bool shows_a_loss(const ClosureSearch& search, const NewtonResult& pose) {

@@ -8,10 +8,12 @@
 #include <string>
 #include <utility>
 
+#include "closure_poses.h"
 #include "moivre/closures/stages.h"
 #include "moivre/expression/counted.h"
 #include "moivre/factorization/qr.h"
 #include "moivre/formulation/exact.h"
+#include "moivre/kinematics/newton.h"
 #include "moivre/numeric/near_points.h"
 #include "moivre/polynomial/square_up.h"
 #include "moivre/polynomial/tape.h"
@@ -334,15 +336,25 @@ void merge_pairs(const Formulation& formulation, std::vector<PartialRoot>& roots
   }
 }
 
+/// Whether the mechanism, as it is typed, stands still in the pose of a real multiple root.
+bool stands_still(const ClosureSearch& search, const PartialRoot& root) {
+  if (!root.singular || !may_be_real(search.formulation, root)) return false;
+  const double t = search.options.time;
+  const Eigen::VectorXd guess = coordinates_of_root(search.formulation, values_of(root));
+  const NewtonResult pose = newton(search.phi, guess, t);
+  return closes(search, pose) &&
+         !moves_at(search.phi, search.phi.canonical(pose.q), t, search.options.solve.seed);
+}
+
 /// Roots that rounding moves as far as it likes are points of a set: rounding of the coefficients,
-/// or of the roots of the blocks before, where no proof knows these exactly; a multiple root has
-/// its own judges.
-void take_off_sets(const Formulation& formulation, StageRun& run) {
+/// or of the roots of the blocks before, where no proof knows these exactly. A multiple root has
+/// its own judges, or its pose judges: at a dead point in space it stands still.
+void take_off_sets(const ClosureSearch& search, const Formulation& formulation, StageRun& run) {
   merge_pairs(formulation, run.roots);
   std::erase_if(run.roots, [&](const PartialRoot& root) {
     const bool is_known =
         formulation.is_exact && (root.proof != nullptr || root.isolated || root.singular);
-    if (root.condition < kUndetermined || is_known) return false;
+    if (root.condition < kUndetermined || is_known || stands_still(search, root)) return false;
     run.moves = true;
     run.may_move = run.may_move || may_be_real(formulation, root);
     return true;
@@ -356,7 +368,7 @@ StageRun solve_combined(const ClosureSearch& search, const StageRun& first) {
   combined.system = square_up(search.formulation.system, search.options.solve.seed);
   RootProver prover(combined, false);
   StageRun run = solve_blocks(search, combined, block_structure(combined.system).blocks, prover);
-  take_off_sets(combined, run);
+  take_off_sets(search, combined, run);
   for (Stage& stage : run.stages) stage.group += ", equations combined";
   run.stages.insert(run.stages.begin(), first.stages.begin(), first.stages.end());
   run.paths += first.paths;
@@ -377,7 +389,7 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   StageRun run;
   if (!search.is_combined) {
     run = solve_blocks(search, search.formulation, structure.blocks, prover);
-    take_off_sets(search.formulation, run);
+    take_off_sets(search, search.formulation, run);
   }
   const bool is_motion_shown = run.moves && run.may_move && shows_motion(search);
   const bool has_spare = !structure.spare_equations.empty();

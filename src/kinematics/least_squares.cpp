@@ -35,7 +35,9 @@ Eigen::VectorXd least_squares_pose(const Phi& phi, const Eigen::VectorXd& guess,
       damping *= 10;
       continue;
     }
-    q = next;
+    // At a whole turn the derivative by a rotation vector is singular, and least squares would end
+    // there, at no pose.
+    q = phi.has_long_rotation(next) ? phi.canonical(next) : next;
     r = left;
     damping = std::max(damping / 10, 1e-15);
     if (move.lpNorm<Eigen::Infinity>() <= kAtRest) break;

@@ -156,8 +156,8 @@ TEST(NearADeadPoint, InSpaceWhatRoundingCannotMergeIsProved) {
   EXPECT_EQ(beyond.counts.real, 0U);
 }
 
-// A strut on a wheel carrier: one of six equations is spare, and nothing is proved. Its tie rod of 3
-// is in the plane of the steering axis, where two closures meet. They were told as two closures.
+// A strut on a wheel carrier: one of six equations is spare, and nothing is proved. Its tie rod of
+// 3 is in the plane of the steering axis, where two closures meet. They were told as two closures.
 TEST(NearADeadPoint, OfRedundantEquationsTwoClosuresThatRoundingMayMergeAreACluster) {
   for (const char* rod : {"3", "3.0000000000000004", "2.9999999999999996"}) {
     const ClosureResult result = closures_of(std::string(R"toml(
@@ -267,6 +267,65 @@ start = 3
   EXPECT_TRUE(result.complete) << result.message;
   ASSERT_EQ(result.closures.size(), 1U) << result.message;
   EXPECT_EQ(result.closures[0].multiplicity, 2U);
+}
+
+// Five links and a spring hold a wheel carrier, typed where the spring's length turns back. The
+// double root was taken for a point of a set, since frames are rounded.
+TEST(NearADeadPoint, InSpaceADoubleRootWhosePoseStandsStillIsACluster) {
+  const ClosureResult result = closures_of(R"toml(
+space = "spatial"
+[ground.points]
+P0 = [1.2, 4.0, 4.6]
+P2 = [-1.4, 4.1, 4.5]
+P4 = [2.6, 4.6, 1.9]
+P6 = [-1.9, 3.4, 1.8]
+P8 = [-2.2, 3.6, 2.6]
+P10 = [-0.2, 5.2, 7.4]
+[body.b1.points]
+P1 = [-0.020128157157004, 4.299821188578345, 7.276078200462782]
+P3 = [-0.02851531789465, 3.687815887133481, 6.908139120534946]
+P5 = [1.351331430607148, 5.585681093880722, 4.671147701761225]
+P7 = [1.070125635609983, 4.616660721087569, 4.006374945120404]
+P9 = [0.684599384640713, 3.501843702245467, 4.320305708687135]
+P11 = [1.511046450394839, 4.67571790552887, 5.01240729254037]
+[[joint]]
+type = "rod"
+name = "j0"
+at = ["ground.P0", "b1.P1"]
+length = 2.956349099818897
+[[joint]]
+type = "rod"
+name = "j1"
+at = ["ground.P2", "b1.P3"]
+length = 2.801785145224379
+[[joint]]
+type = "rod"
+name = "j2"
+at = ["ground.P4", "b1.P5"]
+length = 3.195309061734092
+[[joint]]
+type = "rod"
+name = "j3"
+at = ["ground.P6", "b1.P7"]
+length = 3.894868418830089
+[[joint]]
+type = "rod"
+name = "j4"
+at = ["ground.P8", "b1.P9"]
+length = 3.360059523282289
+[[joint]]
+type = "actuator"
+name = "j5"
+at = ["ground.P10", "b1.P11"]
+[[driver]]
+slide = "j5"
+start = 2.983814774195312
+)toml");
+  EXPECT_TRUE(result.complete) << result.message;
+  const auto drawn = std::find_if(result.closures.begin(), result.closures.end(),
+                                  [](const Closure& closure) { return closure.is_drawn; });
+  ASSERT_NE(drawn, result.closures.end());
+  EXPECT_EQ(drawn->multiplicity, 2U);
 }
 
 // A quick return in two of its dead points. Above one angle of its arm rounding parts the two roots

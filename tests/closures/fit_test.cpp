@@ -96,6 +96,62 @@ TEST(Fit, HasNoPlayWhereNoFitIsGiven) {
   EXPECT_FALSE(result.closures.front().play);
 }
 
+// Two crosses and a slip joint: rotation vectors that came to a whole turn ended there, and 45 such
+// poses, each beside a closure, were told as closures of their own.
+TEST(Fit, IsNotMetAgainWhereARotationVectorIsAWholeTurn) {
+  const ClosureResult result = closures_of(mechanism_text(R"toml(
+space = "spatial"
+fit = 0.0005
+[ground.points]
+P0 = [-1.0, 0.0, 0.0]
+P9 = [4.0, 1.0, 0.0]
+[body.b1.points]
+P1 = [-1.0, 0.0, 0.0]
+P2 = [0.0, 0.0, 0.0]
+[body.b2.points]
+P3 = [0.0, 0.0, 0.0]
+P4 = [0.9487, 0.3162, 0.0]
+[body.b3.points]
+P5 = [1.8974, 0.6325, 0.0]
+P6 = [3.0, 1.0, 0.0]
+[body.b4.points]
+P7 = [3.0, 1.0, 0.0]
+P8 = [4.0, 1.0, 0.0]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.P0", "b1.P1"]
+axis = [1.0, 0.0, 0.0]
+[[joint]]
+type = "universal"
+name = "j1"
+at = ["b1.P2", "b2.P3"]
+axis = [[0.0, -0.8672, 0.498], [-0.1638, 0.4913, 0.8555]]
+[[joint]]
+type = "prismatic"
+name = "j2"
+at = ["b2.P4", "b3.P5"]
+axis = [0.9487, 0.3162, 0.0]
+turn = 0.0
+[[joint]]
+type = "universal"
+name = "j3"
+at = ["b3.P6", "b4.P7"]
+axis = [[-0.1638, 0.4913, 0.8555], [0.0, -0.8672, 0.498]]
+[[joint]]
+type = "revolute"
+name = "j4"
+at = ["b4.P8", "ground.P9"]
+axis = [1.0, 0.0, 0.0]
+[[driver]]
+angle = "j0"
+start = 0.0
+)toml"));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.counts.fitted, 0U);
+  EXPECT_EQ(result.closures.size(), 8U);
+}
+
 // Of a Sarrus linkage as many equations as unknowns are solved, and these have no roots that are
 // poses.
 TEST(Fit, FindsASarrusLinkageInFramesOfItsOwn) {
