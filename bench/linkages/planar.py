@@ -66,7 +66,8 @@ class Planar:
         """Wheels that mesh as they are drawn; a driver or the ground determines the first one's angle to the carrier, or b has one tooth."""
         one, two = (self.frames[k][2] - self.frames[carrier][2] for k in (a, b))
         phase = two - ratio[0] / ratio[1] * one
-        self.joints.append({"type": "gear", "a": a, "b": b, "ratio": ratio, "carrier": carrier, "phase": self.typed(phase), "name": f"j{len(self.joints)}"})
+        self.joints.append({"type": "gear", "a": a, "b": b, "ratio": ratio, "carrier": carrier, "phase": self.typed(phase),
+                            "name": f"j{len(self.joints)}"})
 
     def drive_angle(self, body, add=0.0):
         self.drivers.append({"kind": "angle", "body": body, "value": self.frames[body][2] + add})
@@ -88,7 +89,8 @@ class Planar:
             lines += ["[[joint]]", f'type = "{j["type"]}"', f'name = "{j["name"]}"']
             a, b = self.bodies[j["a"]], self.bodies[j["b"]]
             if j["type"] == "gear":
-                lines += [f'bodies = ["{a}", "{b}"]', f"ratio = {list(j['ratio'])}", f"phase = {j['phase']!r}", f'carrier = "{self.bodies[j["carrier"]]}"']
+                lines += [f'bodies = ["{a}", "{b}"]', f"ratio = {list(j['ratio'])}", f"phase = {j['phase']!r}",
+                          f'carrier = "{self.bodies[j["carrier"]]}"']
                 continue
             lines.append(f'at = ["{a}.{j["P"]}", "{b}.{j["Q"]}"]')
             lines += [f"{key} = {list(j[key]) if key == 'along' else repr(j[key])}" for key in ("along", "turn") if key in j]

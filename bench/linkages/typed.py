@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Linkages of textbooks, patents and machines with the dimensions printed there, at poses found along the way that each one moves.
+"""Linkages of textbooks and machines by their dimensions, at poses found along the way that each one moves.
 
-A sketch is one assembled pose with all digits. Its first driver moves it along its curve of poses; along that curve are
+Proportions are the known ones where a linkage has such (Hoecken's 1, 2, 2.5; Chebyshev's 2, 4, 5; the double wishbone is a racing car's), else
+typical ones. A sketch is one assembled pose with all digits. Its first driver moves it along its curve of poses; along that curve are
 
   random    any pose
   lattice   the pose as sketched
@@ -159,8 +160,8 @@ def excavator():
     o, e = (0, 0), (5.2, 2.6)
     n, i, f = (5.0, 3.5), (6.2, 0.8), (6.5, 0)
     j = meet(i, 0.6, f, 0.9)
-    return pins("OK OLME ENQIF IJ JH FHT", ("actuator", 0, "K", 1, "L"), ("actuator", 1, "M", 2, "N"), ("actuator", 2, "Q", 3, "J"), O=o, K=(0.5, -0.4),
-                L=(2.4, 2.5), M=(2.8, 3.0), E=e, N=n, Q=(5.6, 3.0), I=i, F=f, J=j, H=meet(j, 0.62, f, 0.45, 1), T=(6.2, -1.3), drive=(-1, -2, -3))
+    return pins("OK OLME ENQIF IJ JH FHT", ("actuator", 0, "K", 1, "L"), ("actuator", 1, "M", 2, "N"), ("actuator", 2, "Q", 3, "J"), O=o,
+                K=(0.5, -0.4), L=(2.4, 2.5), M=(2.8, 3.0), E=e, N=n, Q=(5.6, 3.0), I=i, F=f, J=j, H=meet(j, 0.62, f, 0.45, 1), T=(6.2, -1.3), drive=(-1, -2, -3))
 
 
 def wiper():
@@ -181,7 +182,8 @@ def landing_gear():
 
 def garage_door():
     o, m = (0, 0), polar((0, 0), 1.05, -30)
-    return pins("O OM MRS", ("slot", 0, "O", 2, "R", (0, 1)), O=o, M=m, R=(0, m[1] - math.sqrt(1.21 - m[0] ** 2)), S=beyond((0, m[1] - math.sqrt(1.21 - m[0] ** 2)), m, 2.1))
+    r = (0, m[1] - math.sqrt(1.21 - m[0] ** 2))
+    return pins("O OM MRS", ("slot", 0, "O", 2, "R", (0, 1)), O=o, M=m, R=r, S=beyond(r, m, 2.1))
 
 
 def ackermann():
@@ -192,8 +194,8 @@ def ackermann():
 
 def davis():
     o, c, a, b = (0, 0), (6, 0), (0.7, 1.2), (5.3, 1.2)
-    return pins("OC O C AB", ("slot", 1, "O", 3, "A", a), ("slot", 2, "C", 3, "B", (b[0] - 6, b[1])), ("prismatic", 0, "G", 3, "A", (1, 0)), O=o, C=c, A=a,
-                B=b, G=(0, 1.2), drive=(-3,))
+    return pins("OC O C AB", ("slot", 1, "O", 3, "A", a), ("slot", 2, "C", 3, "B", (b[0] - 6, b[1])), ("prismatic", 0, "G", 3, "A", (1, 0)), O=o, C=c,
+                A=a, B=b, G=(0, 1.2), drive=(-3,))
 
 
 def vice_grip():
@@ -239,8 +241,8 @@ def dixon():
 def bourke():
     """A yoke between two pistons: guided twice."""
     p = polar((0, 0), 1, 55)
-    return pins("O OP YLR", ("prismatic", 0, "O", 2, "L", (1, 0)), ("prismatic", 0, "O", 2, "R", (1, 0)), ("slot", 2, "Y", 1, "P", (0, 1)), O=(0, 0), P=p,
-                Y=(p[0], 0), L=(p[0] - 3, 0), R=(p[0] + 3, 0))
+    return pins("O OP YLR", ("prismatic", 0, "O", 2, "L", (1, 0)), ("prismatic", 0, "O", 2, "R", (1, 0)), ("slot", 2, "Y", 1, "P", (0, 1)), O=(0, 0),
+                P=p, Y=(p[0], 0), L=(p[0] - 3, 0), R=(p[0] + 3, 0))
 
 
 def shaper():
@@ -271,7 +273,8 @@ def beam_engine():
     c = (-4, -2)
     q = meet(m, 2, c, 2, -1)
     k = (4.2, -7)
-    return pins("OCK OMNX NP MQ PQ QC XY KY", O=o, C=c, K=k, M=m, N=n, X=x, Q=q, P=(n[0] + q[0] - m[0], n[1] + q[1] - m[1]), Y=meet(x, 7, k, 0.9), drive=(7,))
+    return pins("OCK OMNX NP MQ PQ QC XY KY", O=o, C=c, K=k, M=m, N=n, X=x, Q=q, P=(n[0] + q[0] - m[0], n[1] + q[1] - m[1]), Y=meet(x, 7, k, 0.9),
+                drive=(7,))
 
 
 def ross_yoke():
@@ -361,7 +364,8 @@ def cardan_shaft():
     x, p, q = (1, 0, 0), np.array([0.0, 0, 0]), np.array([3.0, 1, 0])
     u = (q - p) / np.linalg.norm(q - p)
     return chain(("revolute", (-1, 0, 0), x), ("universal", tuple(p), (0, 0, 1), np.cross((0, 0, 1), u)),
-                 ("prismatic", tuple(p + u), u, tuple(p + 2 * u)), ("universal", tuple(q), np.cross((0, 0, 1), u), (0, 0, 1)), ("revolute", (4, 1, 0), x))
+                 ("prismatic", tuple(p + u), u, tuple(p + 2 * u)), ("universal", tuple(q), np.cross((0, 0, 1), u), (0, 0, 1)),
+                 ("revolute", (4, 1, 0), x))
 
 
 def clemens():
@@ -526,7 +530,8 @@ SPATIAL = {
     "hooke": hooke, "cardan-shaft": cardan_shaft, "clemens": clemens, "rscr": rscr, "elbow": elbow, "schatz": schatz, "myard": myard,
     "goldberg": goldberg, "kaleidocycle": kaleidocycle, **{name: lambda sketch=sketch: sketch for name, sketch in {
         "slider-crank-in-space": slider_crank_in_space, "wobble-plate": wobble_plate, "3-rrs": three_rrs, "tripteron": tripteron,
-        "double-wishbone": double_wishbone, "macpherson": macpherson, "five-link": five_link, "aileron": aileron, "swash-plate": swash_plate}.items()}}
+        "double-wishbone": double_wishbone, "macpherson": macpherson, "five-link": five_link, "aileron": aileron,
+        "swash-plate": swash_plate}.items()}}
 SKETCHES = {**{name: (Planar, sketch) for name, sketch in PLANAR.items()}, **{name: (Spatial, sketch) for name, sketch in SPATIAL.items()}}
 
 
@@ -642,7 +647,7 @@ def pose(name, kind, rng):
     if kind == "flat" and branching and rng.random() < 0.7:
         return rng.choice(branching)[0], None, "change point"
     if kind in ("dead", "flat"):
-        # In the plane whichever body turns back may be driven there.
+        # In the plane whatever body turns back may be driven there.
         last = len(way.units) - 1
         bodies = range(2, last, 3) if m.space == "planar" else range(last)
         once = m.space == "planar" and len(m.drivers) == 1
