@@ -83,7 +83,7 @@ def fit(ask, file):
         closures = [c for c in (answer.json or {}).get("closures", []) if c["fitted"] and c["misfit"] <= 0.05]
         drawn = [c for c in closures if c["drawn"] and near(c["misfit"], 0.0043, 1e-4)]
         verdicts.append(compare(answer, (closures, f"none at {time}"), (drawn or time != "0", "not the drawn one")))
-    motion = ask("motion", file, "--fit", "0.05")
+    motion = ask("motion", file, "--fit", "0.05", "--to", "0.3")
     branches = (motion.json or {}).get("branches", [])
     verdicts.append(compare(motion, (any(b["begins"] == 0 for b in branches), "motion has no branch from there")))
     return worst(verdicts)
