@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "moivre/tracker_lanes/lane_tracker.h"
 #include "problem_set.h"
@@ -45,6 +46,30 @@ TEST(Remedies, SimpleRootsThatOnlyMoreDigitsShowAreTold) {
   const SolveResult result = solve(mignotte, *make_lane_tracker(), with_seed(3));
   EXPECT_EQ(result.solutions.size(), 256U);
   EXPECT_EQ(certified_roots(result), 256U);
+}
+
+TEST(Remedies, APairOfRootsBesideALineIsPartedBeforeItPassesForPointsOfTheLine) {
+  const System pair = read("2\n x*y*(x + 2/10^12);\n x*y*((y - 3/7 + 9/10^12)^2 - 9/10^25);\n");
+  const SolveResult result = solve(pair, *make_lane_tracker(), with_seed(1));
+  EXPECT_EQ(result.completeness, RootCompleteness::proved);
+  EXPECT_EQ(certified_roots(result), 2U);
+}
+
+// Three simple roots at y = 3. On x y = 1 the equations are 1e-20 of their terms, and of so many
+// unknowns exact algebra counts no roots.
+TEST(Remedies, RootsBesideACurveOnWhichTheEquationsAllButVanishAreNoPointsOfIt) {
+  std::string text = "16\n (x*y - 1)^2*(x - 2) + 3/10^20*(2 - x*y);\n (x*y - 1)*(y - 3);\n";
+  for (int i = 0; i < 14; ++i) {
+    text += " u" + std::to_string(i) + "*(x + " + std::to_string(i + 4) + ") - 1;\n";
+  }
+  const SolveResult result = solve(read(text), *make_lane_tracker(), with_seed(1));
+  EXPECT_EQ(certified_roots(result), 3U);
+  EXPECT_TRUE(result.on_sets.empty());
+}
+
+TEST(Remedies, ClustersThatNoCountConfirmsArePartedInMoreDigits) {
+  const SolveResult result = solve(near_pairs(300), *make_lane_tracker(), with_seed(1));
+  EXPECT_GE(certified_roots(result), 3U);
 }
 
 }  // namespace
