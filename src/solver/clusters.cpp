@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "certificates.h"
-#include "coincidence.h"
 #include "completeness.h"
 #include "ends.h"
 #include "exact_roots.h"
@@ -121,15 +120,6 @@ std::vector<std::vector<std::uint64_t>> clusters_of(const Run& run) {
   return clusters;
 }
 
-void enter(Run& run, Refiner& refiner, std::uint64_t path,
-           const std::shared_ptr<const Certificate>& proof) {
-  Root root;
-  root.point = refiner.take(*proof);
-  root.tolerance = simple_tolerance(root.point);
-  root.certificate = proof;
-  run.ledger.enter_root(path, std::move(root));
-}
-
 }  // namespace
 
 void part_clusters(Run& run) {
@@ -156,7 +146,7 @@ void part_clusters(Run& run) {
       if (findings[k].is_on_curve) {
         run.ledger.tell_curve(path);
       } else if (are_all) {
-        enter(run, refiner, path, proofs[i]);
+        run.ledger.enter_root(path, proved_root(refiner, proofs[i]));
       } else {
         run.ledger.refute(path);
       }
@@ -165,12 +155,10 @@ void part_clusters(Run& run) {
 }
 
 bool is_held(const Run& run, const Certificate& proof) {
-  const auto may_be_it = [&](const auto& entry) {
-    const Root& root = entry.second;
-    if (root.certificate) return relation(*root.certificate, proof) != Relation::distinct;
-    return root.point.simple && relative_distance(root.point.x, proof.midpoint) <= root.tolerance;
-  };
-  return std::any_of(run.ledger.roots().begin(), run.ledger.roots().end(), may_be_it);
+  return std::any_of(run.ledger.roots().begin(), run.ledger.roots().end(), [&](const auto& entry) {
+    const auto& known = entry.second.certificate;
+    return known && relation(*known, proof) != Relation::distinct;
+  });
 }
 
 bool is_exactly_isolated(const System& f, const Root& end) {

@@ -71,16 +71,12 @@ bool prove(const Run& run, Tools& tools, const PathEnd& end, const Point& x, dou
     root.beside = nearest;
     return false;
   }
-  root.point = refiner.take(*certificate);
+  root = proved_root(refiner, std::move(certificate));
   for (int bits = kMostProofBits; bits <= kMostArbBits; bits *= 2) {
     if (root.point.residual <= kDigitsResidual) break;
-    const auto sharper = prover.sharpened(*certificate, bits);
-    if (!sharper) continue;
-    certificate = sharper;
-    root.point = refiner.take(*certificate);
+    auto sharper = prover.sharpened(*root.certificate, bits);
+    if (sharper) root = proved_root(refiner, std::move(sharper));
   }
-  root.certificate = certificate;
-  root.tolerance = simple_tolerance(root.point);
   return true;
 }
 
@@ -98,9 +94,10 @@ Root judged_root(const Run& run, Tools& tools, const PathEnd& end) {
   // A relative error of z_0 is one of z / z_0, larger by the size of the affine point.
   const double accuracy = end.accuracy * std::max(1.0, end.size);
   Root root;
-  root.winding = end.winding;
   const bool many_sheets = end.winding.value_or(1) > 1;
-  if (!many_sheets && prove(run, tools, end, x, accuracy, root)) return root;
+  const bool is_proved = !many_sheets && prove(run, tools, end, x, accuracy, root);
+  root.winding = end.winding;
+  if (is_proved) return root;
   const int sheets = many_sheets ? *end.winding : kLeastMultiplicity;
   root.point = refiner.keep(x, accuracy, sheets);
   // A proof that nobody had the time for says nothing against a simple root.
@@ -150,7 +147,13 @@ Point last_point(const Run& run, const PathEnd& end) {
 
 }  // namespace
 
-double simple_tolerance(const Refined& root) { return 4 * root.accuracy + kSimpleRounding; }
+Root proved_root(Refiner& refiner, std::shared_ptr<const Certificate> proof) {
+  Root root;
+  root.point = refiner.take(*proof);
+  root.tolerance = 4 * root.point.accuracy + kSimpleRounding;
+  root.certificate = std::move(proof);
+  return root;
+}
 
 void count_following(Run& run, std::uint64_t path, const PathEnd& end) {
   run.work += end.count;

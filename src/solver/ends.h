@@ -19,8 +19,8 @@ void count_following(Run& run, std::uint64_t path, const PathEnd& end);
 /// no entry, nor has one that waits for more effort.
 void take_end(Run& run, std::uint64_t path, PathEnd&& end);
 
-/// The tolerance of a simple root.
-double simple_tolerance(const Refined& root);
+/// The simple root that is proved.
+Root proved_root(Refiner& refiner, std::shared_ptr<const Certificate> proof);
 
 /// Enters all finite ends that wait, on all threads. Where only regular ends are sought, what is
 /// not proved waits for more effort.

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "certificates.h"
+#include "clusters.h"
 #include "ends.h"
-#include "moivre/certify/distinct.h"
 
 namespace moivre {
 namespace {
@@ -52,27 +51,19 @@ Place place_of(const Reduction& reduction, const std::vector<std::vector<Complex
 
 std::vector<ProvedPlace> free_places(const Run& run, std::vector<ProvedPlace> places) {
   std::erase_if(places, [&](const ProvedPlace& place) {
-    if (!place.certificate) return false;
-    return std::any_of(run.ledger.roots().begin(), run.ledger.roots().end(),
-                       [&](const auto& entry) {
-                         const auto& proof = entry.second.certificate;
-                         return proof && relation(*place.certificate, *proof) != Relation::distinct;
-                       });
+    return place.certificate && is_held(run, *place.certificate);
   });
   return places;
 }
 
 void enter_place(Run& run, Refiner& refiner, std::uint64_t path, const ProvedPlace& place) {
-  Root root;
   if (place.certificate) {
-    root.point = refiner.take(*place.certificate);
-    root.tolerance = simple_tolerance(root.point);
-    root.certificate = place.certificate;
-  } else {
-    root.point = refiner.keep(place.place.x, std::numeric_limits<double>::epsilon(), 1);
-    root.point.accuracy = std::numeric_limits<double>::epsilon();
-    root.is_exact = true;
+    return run.ledger.enter_root(path, proved_root(refiner, place.certificate));
   }
+  Root root;
+  root.point = refiner.keep(place.place.x, std::numeric_limits<double>::epsilon(), 1);
+  root.point.accuracy = std::numeric_limits<double>::epsilon();
+  root.is_exact = true;
   run.ledger.enter_root(path, std::move(root));
 }
 
