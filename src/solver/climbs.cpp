@@ -7,7 +7,6 @@
 #include <map>
 
 #include "certificates.h"
-#include "coincidence.h"
 #include "completeness.h"
 #include "exact_roots.h"
 #include "judge.h"
@@ -101,15 +100,6 @@ PathSet paths_at_infinity(const Run& run) {
   return paths;
 }
 
-/// Whether the paths that end there are as many as exact algebra counts of a root that is known
-/// exactly.
-bool is_counted_exactly(Run& run, const Root& end, std::size_t paths) {
-  const std::vector<ExactRoot> exact = exact_roots(run);
-  return std::any_of(exact.begin(), exact.end(), [&](const ExactRoot& root) {
-    return root.multiplicity == paths && relative_distance(root.x, end.point.x) <= end.tolerance;
-  });
-}
-
 }  // namespace
 
 void part_in_double_double(Run& run) {
@@ -175,8 +165,10 @@ void climb_from_uncounted_roots(Run& run) {
   const auto& finer = run.setting.trackers.finer;
   if (finer.empty()) return;
   auto clusters = clusters_in(run, judge(run).roots);
+  if (clusters.empty()) return;
+  const std::vector<ExactRoot> exact = exact_roots(run);
   std::erase_if(clusters, [&](const auto& cluster) {
-    return is_counted_exactly(run, run.ledger.roots().at(cluster.first), cluster.second.size());
+    return is_counted_by(exact, run.ledger.roots().at(cluster.first), cluster.second.size());
   });
   climb_clusters(run, clusters, [&](const PathSet& paths) {
     climb_beyond_double_double(run, *finer.front(), paths);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "coincidence.h"
 #include "moivre/numeric/simplest.h"
 #include "moivre/polynomial/local_multiplicity.h"
 
@@ -89,6 +90,13 @@ std::vector<ExactRoot> exact_roots(Run& run) {
     if (root.multiplicity > 1) roots.push_back(root);
   }
   return roots;
+}
+
+bool is_counted_by(const std::vector<ExactRoot>& exact, const Root& end, std::size_t paths) {
+  if (end.is_exact) return true;
+  return std::any_of(exact.begin(), exact.end(), [&](const ExactRoot& root) {
+    return root.multiplicity == paths && relative_distance(root.x, end.point.x) <= end.tolerance;
+  });
 }
 
 }  // namespace moivre

@@ -27,4 +27,7 @@ std::vector<std::vector<Coefficient>> fractions_near(const Point& x, double know
 /// Of multiplicity 2 at least; none where nothing is to be proved. Throws Interrupted.
 std::vector<ExactRoot> exact_roots(Run& run);
 
+/// Whether the end is one of these, which F has as often as paths end there.
+bool is_counted_by(const std::vector<ExactRoot>& exact, const Root& end, std::size_t paths);
+
 }  // namespace moivre
