@@ -78,11 +78,6 @@ RootBound strata_bound(const System& f, const std::atomic<bool>* stop) {
   return bound;
 }
 
-bool lacks_constant(const Polynomial& p) {
-  return std::none_of(p.terms.begin(), p.terms.end(),
-                      [](const Term& term) { return term.monomial.empty(); });
-}
-
 RootBound bezout(const System& f) {
   RootBound bound{BoundKind::bezout, total_degree(degrees(f)), ""};
   if (!bound.value) bound.missing = "beyond 64 bits";
@@ -151,8 +146,6 @@ std::vector<RootBound> root_bounds(const System& f, const KnownRoots& known,
   if (is_filled && (!volume.value || *volume.value > known.roots)) {
     volume = smaller(volume, stable_mixed_volume_bound(f, stop));
   }
-  const bool may_have_zeros =
-      std::any_of(f.polynomials.begin(), f.polynomials.end(), lacks_constant);
   if (is_met(volume) || is_met(quotient_ring_bound(r, known.roots, stop))) return bounds;
   // A linear change of unknowns keeps the roots, and may shrink the polytopes.
   if (const auto pairs = isotropic_pairs(r); !pairs.empty()) {
@@ -160,7 +153,7 @@ std::vector<RootBound> root_bounds(const System& f, const KnownRoots& known,
     const bool is_less = isotropic.value && (!volume.value || *isotropic.value < *volume.value);
     if (is_less && is_met(isotropic)) return bounds;
   }
-  if (may_have_zeros) bounds.push_back(strata_bound(f, stop));
+  if (lacks_origin(f)) bounds.push_back(strata_bound(f, stop));
   return bounds;
 }
 

@@ -53,18 +53,6 @@ CellSearchOptions bounded_search(const Run& run, const System& f) {
   return options;
 }
 
-bool lacks_origin(const Support& support) {
-  return std::none_of(support.terms.begin(), support.terms.end(), [](const auto& term) {
-    return std::all_of(term.begin(), term.end(), [](auto exponent) { return exponent == 0; });
-  });
-}
-
-bool lacks_origin(const System& f) {
-  const std::vector<Support> supports = supports_of(f);
-  return std::any_of(supports.begin(), supports.end(),
-                     [](const Support& support) { return lacks_origin(support); });
-}
-
 /// The stable mixed volume, where two liftings agree; it is the mixed volume where no support lacks
 /// 0.
 std::optional<std::uint64_t> verified_volume(const Run& run, const System& f) {

@@ -52,6 +52,13 @@ std::optional<std::uint64_t> volume_of(const System& f, std::uint64_t seed,
 
 }  // namespace
 
+bool lacks_origin(const System& f) {
+  return std::any_of(f.polynomials.begin(), f.polynomials.end(), [](const Polynomial& p) {
+    return std::none_of(p.terms.begin(), p.terms.end(),
+                        [](const Term& term) { return term.monomial.empty(); });
+  });
+}
+
 std::optional<std::uint64_t> most_isolated_points(const System& f, std::uint64_t seed,
                                                   const CellSearchOptions& options,
                                                   std::uint64_t most) {

@@ -24,6 +24,9 @@
 
 namespace moivre {
 
+/// Some equation vanishes at 0: there may be strata on which roots have coordinates that are 0.
+bool lacks_origin(const System& f);
+
 /// f: square. most: no sum above it is of interest, which saves the search for it. nullopt: nothing
 /// is known, or it is above `most`.
 std::optional<std::uint64_t> most_isolated_points(
