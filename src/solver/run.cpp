@@ -2,8 +2,6 @@
 // What a run knows of one root, and how is it told.
 #include "run.h"
 
-#include <algorithm>
-
 #include "dimension.h"
 
 namespace moivre {
@@ -54,22 +52,5 @@ SetHere set_of(const Run& run, const Root& root) {
 }
 
 bool is_on_set(const Run& run, const Root& root) { return set_of(run, root) != SetHere::none; }
-
-std::vector<std::vector<std::uint64_t>> groups_beside_sets(const Run& run) {
-  std::vector<std::vector<std::uint64_t>> groups;
-  const auto& roots = run.ledger.roots();
-  const auto is_simple = [&](std::uint64_t path) { return roots.at(path).point.simple; };
-  for (auto& group : run.ledger.groups()) {
-    auto& beside = groups.emplace_back(std::move(group));
-    if (beside.size() == 1 || std::none_of(beside.begin(), beside.end(), is_simple)) continue;
-    const auto on_set = std::stable_partition(beside.begin(), beside.end(), [&](auto path) {
-      return is_simple(path) || !is_on_set(run, roots.at(path));
-    });
-    std::vector<std::uint64_t> set(on_set, beside.end());
-    beside.erase(on_set, beside.end());
-    if (!set.empty()) groups.push_back(std::move(set));
-  }
-  return groups;
-}
 
 }  // namespace moivre

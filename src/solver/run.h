@@ -92,9 +92,4 @@ struct Run {
 SetHere set_of(const Run& run, const Root& root);
 bool is_on_set(const Run& run, const Root& root);
 
-/// Paths that end at one point as far as their ends are known, as Ledger::groups(); but one path
-/// alone ends at a simple root: ends on a set of positive dimension that passes beside it are a
-/// group of their own.
-std::vector<std::vector<std::uint64_t>> groups_beside_sets(const Run& run);
-
 }  // namespace moivre
