@@ -65,8 +65,15 @@ bool has_surely_full_rank(const MatrixXd& equilibrated) {
   return is_surely_regular(tall, order);
 }
 
-VectorXd units_or_ones(const VectorXd& units, Index size) {
-  return units.size() == 0 ? VectorXd(VectorXd::Ones(size)) : units;
+/// All 1 where none are given.
+VectorXd positive_or_ones(const VectorXd& numbers, Index size, const std::string& names,
+                          const char* what_has_one) {
+  if (numbers.size() == 0) return VectorXd::Ones(size);
+  if (numbers.size() != size || !(numbers.array() > 0).all() || !numbers.allFinite()) {
+    throw InvalidInput(names + " must be " + std::to_string(size) + " positive numbers, one " +
+                       what_has_one);
+  }
+  return numbers;
 }
 
 }  // namespace
@@ -137,25 +144,24 @@ struct Factorization::Factors {
 };
 
 Factorization::Factorization(const MatrixXd& A, const LinearOptions& options)
-    : row_units_(units_or_ones(options.row_units, A.rows())),
-      column_units_(units_or_ones(options.column_units, A.cols())),
+    : row_units_(positive_or_ones(options.row_units, A.rows(), "row units", "an equation")),
+      column_units_(
+          positive_or_ones(options.column_units, A.cols(), "column units", "a coordinate")),
       A_(row_units_.cwiseInverse().asDiagonal() * A * column_units_.asDiagonal()),
       root_weights_(column_units_),
       rank_(numerical_rank(A_)) {
-  if (options.weights.size() != 0) {
-    if (options.weights.size() != A.cols() || !(options.weights.array() > 0).all() ||
-        !options.weights.allFinite()) {
-      throw InvalidInput("weights must be " + std::to_string(A.cols()) +
-                         " positive numbers, one a coordinate");
-    }
-    root_weights_ = root_weights_.cwiseProduct(options.weights.cwiseSqrt());
-  }
+  const VectorXd weights = positive_or_ones(options.weights, A.cols(), "weights", "a coordinate");
+  if (options.weights.size() != 0) root_weights_ = root_weights_.cwiseProduct(weights.cwiseSqrt());
   method_ = options.method.value_or(natural_method(A.rows(), A.cols(), rank_));
   if (!suits(method_, A.rows(), A.cols(), rank_)) method_ = LinearMethod::svd;
   if (A.size() != 0) factors_ = std::make_shared<const Factors>(method_, A_, root_weights_);
 }
 
 VectorXd Factorization::solve(const VectorXd& b) const {
+  if (b.size() != row_units_.size()) {
+    throw InvalidInput("b has " + std::to_string(b.size()) + " numbers, A has " +
+                       std::to_string(row_units_.size()) + " rows");
+  }
   if (!factors_) return VectorXd::Zero(A_.cols());
   return column_units_.cwiseProduct(solve_in_units(b.cwiseQuotient(row_units_)));
 }

@@ -5,10 +5,12 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <string>
 
 #include "moivre/factorization/qr.h"
 #include "moivre/kinematics/null_space.h"
 #include "moivre/kinematics/own_units.h"
+#include "moivre/numeric/invalid_input.h"
 
 namespace moivre {
 namespace {
@@ -43,6 +45,12 @@ Index rank_within(const MatrixXd& A, double tolerance) {
 
 PoseSensitivity pose_sensitivity(const Phi& phi, const VectorXd& q, double t,
                                  const MatrixXd& partial_p, const PoseKind& kind) {
+  require_place(phi, q, t);
+  if (partial_p.rows() != phi.size() || !partial_p.allFinite()) {
+    throw InvalidInput("partial_p has finite numbers, a row for each of " +
+                       std::to_string(phi.size()) + " constraints");
+  }
+  if (kind.spins < 0) throw InvalidInput("a pose has no fewer spins than none");
   const MatrixXd J = phi.jacobian(q, t);
   const Factorization factors = factorization_of(phi, J);
   const VectorXd scale = row_lengths(J).cwiseInverse();

@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <numeric>
+#include <string>
 
 #include "moivre/expression/counted.h"
 #include "moivre/factorization/qr.h"
@@ -23,8 +25,23 @@ MatrixXd columns(const MatrixXd& A, const std::vector<Index>& chosen) {
   return A(Eigen::all, chosen);
 }
 
-void require_usable(const Partition& partition) {
+void require_usable(const Phi& joints, const Partition& partition) {
   if (!partition.is_usable()) throw InvalidInput(partition.refusal);
+  std::vector<Index> all = partition.dependent;
+  all.insert(all.end(), partition.independent.begin(), partition.independent.end());
+  std::sort(all.begin(), all.end());
+  std::vector<Index> each(static_cast<std::size_t>(joints.dimension()));
+  std::iota(each.begin(), each.end(), Index{0});
+  if (all != each) {
+    throw InvalidInput("a partition has each of " + std::to_string(each.size()) +
+                       " coordinates once");
+  }
+}
+
+void require_rates(const Partition& partition, const VectorXd& rates, const std::string& name) {
+  if (rates.size() == std::ssize(partition.independent) && rates.allFinite()) return;
+  throw InvalidInput("the independent " + name + " is " +
+                     std::to_string(partition.independent.size()) + " finite numbers");
 }
 
 /// Smallest over largest pivot of the equilibrated matrix; 1 for an empty one.
@@ -118,7 +135,7 @@ Partition make_partition(const Phi& joints, const VectorXd& q, std::vector<Index
 
 NewtonResult solve_positions(const Phi& joints, const Partition& partition, const VectorXd& guess,
                              double t, const NewtonOptions& options) {
-  require_usable(partition);
+  require_usable(joints, partition);
   NewtonOptions dependent_only = options;
   dependent_only.held = partition.independent;
   return newton(joints, guess, t, dependent_only);
@@ -127,7 +144,10 @@ NewtonResult solve_positions(const Phi& joints, const Partition& partition, cons
 MotionState partitioned_state(const Phi& joints, const Partition& partition, const VectorXd& q,
                               const VectorXd& independent_velocity,
                               const VectorXd& independent_acceleration, double t) {
-  require_usable(partition);
+  require_usable(joints, partition);
+  require_place(joints, q, t);
+  require_rates(partition, independent_velocity, "velocity");
+  require_rates(partition, independent_acceleration, "acceleration");
   const MatrixXd J = joints.jacobian(q, t);
   const MatrixXd Phi_v = columns(J, partition.independent);
   LinearOptions options;

@@ -5,8 +5,11 @@
 #include <limits>
 
 #include "moivre/closures/closures.h"
+#include "moivre/kinematics/linear.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/kinematics/newton.h"
+#include "moivre/kinematics/sensitivity.h"
+#include "moivre/kinematics/state.h"
 #include "moivre/mechanism/dimensions.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/mechanism/read.h"
@@ -232,6 +235,33 @@ TEST(MisuseTest, WhatIsNotThereHasNoNumber) {
   driven.drivers[0].law = TypedLaw{{Formula::Kind::sin, 0, 0, {}}, 1};
   expect_refused([&] { return driver_values(driven, 0); }, "without its one operand");
   expect_refused([&] { return passages_from(Circuits{}, 3); }, "there is no branch 3");
+}
+
+TEST(MisuseTest, KinematicsTakesWhatFitsTheMechanism) {
+  const Phi phi(four_bar());
+  const Phi joints = phi.without_drivers();
+  const Eigen::VectorXd q = Eigen::VectorXd::Zero(phi.dimension());
+  Partition partition = choose_partition(joints, q);
+  const auto independent = std::ssize(partition.independent);
+  const Eigen::VectorXd rates = Eigen::VectorXd::Ones(independent);
+  const Eigen::VectorXd one_more = Eigen::VectorXd::Ones(independent + 1);
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
+  const auto state = [&](const Eigen::VectorXd& velocity, const Eigen::VectorXd& acceleration) {
+    return partitioned_state(joints, partition, q, velocity, acceleration);
+  };
+  expect_refused([&] { return state(one_more, rates); }, "independent velocity is");
+  expect_refused([&] { return state(rates, one_more); }, "independent acceleration is");
+  partition.independent[0] = phi.dimension();
+  expect_refused([&] { return state(rates, rates); }, "coordinates once");
+  expect_refused([&] { return pose_sensitivity(phi, q, 0, one); }, "constraints");
+  expect_refused([&] { return pose_sensitivity(phi, one, 0, one); }, "one for each coordinate");
+  const Eigen::Matrix2d A = Eigen::Matrix2d::Identity();
+  LinearOptions options;
+  options.row_units = one;
+  expect_refused([&] { return Factorization(A, options); }, "row units must be 2 positive numbers");
+  options.row_units = Eigen::Vector2d(1, -1);
+  expect_refused([&] { return Factorization(A, options); }, "row units must be 2 positive numbers");
+  expect_refused([&] { return Factorization(A).solve(one); }, "A has 2 rows");
 }
 
 TEST(MisuseTest, TimesAreFinite) {

@@ -20,9 +20,11 @@
 #include "moivre/family/parameter_homotopy.h"
 #include "moivre/kinematics/coefficients.h"
 #include "moivre/kinematics/least_squares.h"
+#include "moivre/kinematics/linear.h"
 #include "moivre/kinematics/local_dimension.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/kinematics/own_newton.h"
+#include "moivre/kinematics/sensitivity.h"
 #include "moivre/kinematics/state.h"
 #include "moivre/mechanism/builder.h"
 #include "moivre/mechanism/dimensions.h"
@@ -141,6 +143,10 @@ TEST(NumbersTest, OfMechanismsAndPosesAreFinite) {
   const Phi phi(bar);
   const Eigen::VectorXd q = find_closures(bar, lanes()).closures.front().q;
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(q.size());
+  const Phi joints = phi.without_drivers();
+  const Partition partition = choose_partition(joints, q);
+  const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
+  const Eigen::MatrixXd by_one = Eigen::MatrixXd::Ones(phi.size(), 1);
   const auto spoiled = [&](double n) {
     Eigen::VectorXd wrong = q;
     wrong[4] = n;
@@ -164,6 +170,31 @@ TEST(NumbersTest, OfMechanismsAndPosesAreFinite) {
       {"q of a state", [&](double n) { motion_state(phi, spoiled(n), 0); }},
       {"t of a state", [&](double n) { motion_state(phi, q, n); }},
       {"t of a partition", [&](double n) { choose_partition(phi.without_drivers(), q, n); }},
+      {"q of a partition's state",
+       [&](double n) { partitioned_state(joints, partition, spoiled(n), one, one); }},
+      {"velocity of a partition",
+       [&](double n) {
+         partitioned_state(joints, partition, q, Eigen::VectorXd::Constant(1, n), one);
+       }},
+      {"acceleration of a partition",
+       [&](double n) {
+         partitioned_state(joints, partition, q, one, Eigen::VectorXd::Constant(1, n));
+       }},
+      {"q of a sensitivity", [&](double n) { pose_sensitivity(phi, spoiled(n), 0, by_one); }},
+      {"t of a sensitivity", [&](double n) { pose_sensitivity(phi, q, n, by_one); }},
+      {"rate of a sensitivity", [&](double n) { pose_sensitivity(phi, q, 0, n * by_one); }},
+      {"unit of a row",
+       [](double n) {
+         LinearOptions options;
+         options.row_units = Eigen::Vector2d(1, n);
+         Factorization(Eigen::Matrix2d::Identity(), options);
+       }},
+      {"unit of a column",
+       [](double n) {
+         LinearOptions options;
+         options.column_units = Eigen::Vector2d(1, n);
+         Factorization(Eigen::Matrix2d::Identity(), options);
+       }},
       {"t of coefficients", [&](double n) { kinematic_coefficients(phi, q, n); }},
       {"q of a dimension", [&](double n) { local_dimension(phi, spoiled(n)); }},
       {"t of a dimension", [&](double n) { local_dimension(phi, q, n); }},

@@ -42,8 +42,8 @@ struct MemberRoots {
 };
 
 /// As solve_members(), but a member that is not done by its paths alone stays as it is, and is not
-/// complete. Ends of large condition are among its roots, and count as failed: they may be singular,
-/// or lie far out.
+/// complete. Ends of large condition are among its roots, and count as failed: they may be
+/// singular, or lie far out.
 std::vector<MemberRoots> follow_members(const Family& family, std::span<const Point> members,
                                         const Tracker& tracker, const SolveOptions& options = {},
                                         const std::atomic<bool>& stop = std::atomic<bool>{false});

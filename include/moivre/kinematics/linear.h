@@ -51,9 +51,11 @@ struct LinearOptions {
 
 class Factorization {
  public:
-  /// Throws std::invalid_argument when there are weights and they are not n positive numbers.
+  /// Throws std::invalid_argument when there are weights or units and they are not positive
+  /// numbers, as many as W or R and C have.
   explicit Factorization(const Eigen::MatrixXd& A, const LinearOptions& options = {});
 
+  /// Throws std::invalid_argument when b has not m numbers.
   Eigen::VectorXd solve(const Eigen::VectorXd& b) const;
   LinearMethod method() const { return method_; }
   Eigen::Index rank() const { return rank_; }

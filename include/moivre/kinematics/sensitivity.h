@@ -38,7 +38,8 @@ struct PoseKind {
   bool is_multiple = false;  ///< a multiple root of closure equations: known to half the digits
 };
 
-/// At the pose q, assembled at time t.
+/// At the pose q, assembled at time t. Throws std::invalid_argument where sizes do not fit, or
+/// numbers are not finite.
 PoseSensitivity pose_sensitivity(const Phi& phi, const Eigen::VectorXd& q, double t,
                                  const Eigen::MatrixXd& partial_p, const PoseKind& kind = {});
 

@@ -68,7 +68,7 @@ NewtonResult solve_positions(const Phi& joints, const Partition& partition,
                              const NewtonOptions& options = {});
 
 /// Velocity and acceleration from those of the independent coordinates. Requires a usable
-/// partition.
+/// partition; throws std::invalid_argument where sizes do not fit, or numbers are not finite.
 MotionState partitioned_state(const Phi& joints, const Partition& partition,
                               const Eigen::VectorXd& q, const Eigen::VectorXd& independent_velocity,
                               const Eigen::VectorXd& independent_acceleration, double t = 0);
