@@ -18,6 +18,7 @@
 #include "moivre/mechanism/drawn_pose.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/mechanism/spins.h"
+#include "moivre/numeric/near_points.h"
 #include "moving_pose.h"
 
 namespace moivre {
@@ -74,14 +75,39 @@ bool is_told(const ClosureSearch& search, const NewtonResult& pose) {
   });
 }
 
+/// What rounding has parted of a multiple root comes back to one pose: that closure. nullptr where
+/// there is none, or proofs tell the roots apart.
+Closure* joined_by(ClosureSearch& search, const Solution& solution, const NewtonResult& pose) {
+  if (!pose.is_singular || solution.certified == true) return nullptr;
+  const Eigen::VectorXd q = search.phi.canonical(pose.q);
+  auto& closures = search.result.closures;
+  const auto at = std::find_if(closures.begin(), closures.end(), [&](const Closure& other) {
+    return other.certified != true && is_same_pose(search.phi, other.q, q);
+  });
+  return at == closures.end() ? nullptr : &*at;
+}
+
+/// The closure and its root, one of those before, stand for this root, too.
+void join(Closure& closure, const Solution& solution, std::vector<Solution>& before) {
+  closure.multiplicity += solution.multiplicity;
+  closure.cluster = closure.singular = true;
+  const auto root = std::find_if(before.begin(), before.end(),
+                                 [&](const Solution& other) { return other.path == closure.path; });
+  if (root == before.end()) return;
+  root->multiplicity = closure.multiplicity;
+  root->cluster = root->singular = true;
+  root->radius = std::max(root->radius, max_distance(root->x, solution.x));
+}
+
 enum class RootKind {
   isolated,  ///< and, where it is real, polished to a pose
+  joined,    ///< to a closure at the same singular pose
   on_a_set,  ///< its pose is one of many
   does_not_close  ///< spare constraints keep Newton-Raphson away from zero, or leave one of several roots at its pose
 };
 
-/// Polishes a real root to a pose.
-RootKind polish(ClosureSearch& search, const Solution& solution) {
+/// Polishes a real root to a pose. `before`: those that are isolated.
+RootKind polish(ClosureSearch& search, const Solution& solution, std::vector<Solution>& before) {
   const Phi& phi = search.phi;
   const Eigen::VectorXd guess = coordinates_of_root(search.formulation, solution.x);
   const NewtonResult polished = newton(phi, guess, search.options.time);
@@ -101,6 +127,10 @@ RootKind polish(ClosureSearch& search, const Solution& solution) {
     return RootKind::on_a_set;
   }
   if (is_told(search, polished)) return RootKind::does_not_close;
+  if (Closure* const same = joined_by(search, solution, polished)) {
+    join(*same, solution, before);
+    return RootKind::joined;
+  }
   take_pose(search, solution, polished);
   return RootKind::isolated;
 }
@@ -236,10 +266,12 @@ void find_poses(ClosureSearch& search) {
   search.fitted_beyond_limits.clear();
   std::vector<Solution> isolated;
   for (Solution& solution : result.solutions) {
-    const RootKind kind = solution.real ? polish(search, solution) : RootKind::isolated;
+    const RootKind kind = solution.real ? polish(search, solution, isolated) : RootKind::isolated;
     switch (kind) {
       case RootKind::isolated:
         isolated.push_back(std::move(solution));
+        break;
+      case RootKind::joined:
         break;
       case RootKind::on_a_set:
         result.paths.on_positive_dimensional += solution.multiplicity;

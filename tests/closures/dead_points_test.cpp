@@ -207,6 +207,65 @@ length = )toml") + rod);
 
 // A piston on three equal cranks at the end of its stroke, typed with fifteen digits in frames of
 // their own. Rounding left a pair of complex roots, and it was said that it cannot be assembled.
+/// A flat loop: its two real roots are farther apart than rounding of their numbers, and Newton's
+/// method comes from both to the flat pose.
+TEST(NearADeadPoint, TwoRootsThatComeToOneSingularPoseAreOneClosure) {
+  const ClosureResult result = closures_of(R"toml(
+space = "spatial"
+[ground.points]
+P0 = [2.0, 0.0, 0.0]
+P9 = [6.0, 0.0, 0.0]
+[body.b1.points]
+P1 = [2.0, 0.0, 0.0]
+P2 = [-2.0, 0.0, 0.0]
+[body.b2.points]
+P3 = [-2.0, 0.0, 0.0]
+P4 = [2.0, 0.0, 0.0]
+[body.b3.points]
+P5 = [2.0, 0.6, 0.8]
+P6 = [0.0, 0.0, 0.0]
+[body.b4.points]
+P7 = [0.0, 0.0, 0.0]
+P8 = [6.0, 0.0, 0.0]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.P0", "b1.P1"]
+axis = [1.0, 0.0, 0.0]
+[[joint]]
+type = "revolute"
+name = "j1"
+at = ["b1.P2", "b2.P3"]
+axis = [0.6, 0.0, 0.8]
+[[joint]]
+type = "prismatic"
+name = "j2"
+at = ["b2.P4", "b3.P5"]
+axis = [0.0, 0.6, 0.8]
+turn = 0.0
+[[joint]]
+type = "spherical"
+name = "j3"
+at = ["b3.P6", "b4.P7"]
+[[joint]]
+type = "revolute"
+name = "j4"
+at = ["b4.P8", "ground.P9"]
+axis = [0.6, 0.0, 0.8]
+[[driver]]
+angle = "j0"
+start = 0.0
+)toml");
+  EXPECT_TRUE(result.complete) << result.message;
+  ASSERT_EQ(result.closures.size(), 1U);
+  EXPECT_EQ(result.counts.real, 1U);
+  EXPECT_EQ(result.counts.complex, 1U);
+  EXPECT_EQ(result.closures[0].multiplicity, 2U);
+  EXPECT_TRUE(result.closures[0].cluster);
+  EXPECT_TRUE(result.closures[0].singular);
+  EXPECT_EQ(result.solutions[0].multiplicity, 2U);
+}
+
 TEST(NearADeadPoint, OfRedundantEquationsARealPoseThatRoundingMakesComplexIsListed) {
   const ClosureResult result = closures_of(R"toml(
 [ground.points]
