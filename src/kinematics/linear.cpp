@@ -148,10 +148,9 @@ Factorization::Factorization(const MatrixXd& A, const LinearOptions& options)
       column_units_(
           positive_or_ones(options.column_units, A.cols(), "column units", "a coordinate")),
       A_(row_units_.cwiseInverse().asDiagonal() * A * column_units_.asDiagonal()),
-      root_weights_(column_units_),
+      root_weights_(column_units_.cwiseProduct(
+          positive_or_ones(options.weights, A.cols(), "weights", "a coordinate").cwiseSqrt())),
       rank_(numerical_rank(A_)) {
-  const VectorXd weights = positive_or_ones(options.weights, A.cols(), "weights", "a coordinate");
-  if (options.weights.size() != 0) root_weights_ = root_weights_.cwiseProduct(weights.cwiseSqrt());
   method_ = options.method.value_or(natural_method(A.rows(), A.cols(), rank_));
   if (!suits(method_, A.rows(), A.cols(), rank_)) method_ = LinearMethod::svd;
   if (A.size() != 0) factors_ = std::make_shared<const Factors>(method_, A_, root_weights_);

@@ -133,6 +133,14 @@ TEST(ManyPosesTest, OfFiveJointsHaveTheClosuresAndTheNearestPostureThatEachHasAl
   }
 }
 
+/// Of 100 poses 10 have a closure with a joint near half a turn: in tangents it lies far out, and
+/// its condition is large.
+TEST(ManyPosesTest, EveryRandomPoseOfAGeneralArmIsAnsweredByTheFamily) {
+  const auto many = find_arm_closures(arm_of(kManseurDoty), random_poses(arm_of(kManseurDoty), 100),
+                                      lanes(), one_thread());
+  EXPECT_EQ(answered_by(many, "family"), 100U);
+}
+
 TEST(ManyPosesTest, FewPosesOfAGeneralArmAreSolvedOneByOne) {
   const Arm arm = arm_of(general_arm(1));
   const auto poses = random_poses(arm, 3);

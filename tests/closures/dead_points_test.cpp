@@ -205,10 +205,8 @@ length = )toml") + rod);
   }
 }
 
-// A piston on three equal cranks at the end of its stroke, typed with fifteen digits in frames of
-// their own. Rounding left a pair of complex roots, and it was said that it cannot be assembled.
-/// A flat loop: its two real roots are farther apart than rounding of their numbers, and Newton's
-/// method comes from both to the flat pose.
+// A flat loop: its two real roots are farther apart than rounding of their numbers, and Newton's
+// method comes from both to the flat pose.
 TEST(NearADeadPoint, TwoRootsThatComeToOneSingularPoseAreOneClosure) {
   const ClosureResult result = closures_of(R"toml(
 space = "spatial"
@@ -266,6 +264,8 @@ start = 0.0
   EXPECT_EQ(result.solutions[0].multiplicity, 2U);
 }
 
+// A piston on three equal cranks at the end of its stroke, typed with fifteen digits in frames of
+// their own. Rounding left a pair of complex roots, and it was said that it cannot be assembled.
 TEST(NearADeadPoint, OfRedundantEquationsARealPoseThatRoundingMakesComplexIsListed) {
   const ClosureResult result = closures_of(R"toml(
 [ground.points]
