@@ -122,6 +122,8 @@ class MpiRanks::Node::Speaker {
   bool is_done() const { return is_over_ && (!is_first() || last_words_ + 1 == node_.ranks_); }
 
   void send(int to, Tag tag, const Text& text) {
+    // Nobody receives it, and a long message that is not received is never sent.
+    if (is_over_ && tag != kOver && tag != kLast) return;
     Message& message = sent_.emplace_back();
     message.text = text;
     MPI_Isend(text->data(), static_cast<int>(text->size()), MPI_BYTE, to, tag, MPI_COMM_WORLD,
@@ -256,7 +258,7 @@ class MpiRanks::Node::Speaker {
     send(0, kLeft, bytes.bytes());
   }
 
-  /// Behind this nothing but last words is sent.
+  /// Behind this nothing but last words is sent: whoever has read it reads no more.
   void be_over() {
     is_over_ = true;
     send_down(kOver, std::make_shared<const std::string>());

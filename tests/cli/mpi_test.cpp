@@ -23,18 +23,31 @@ Words together(Words words, const Words& more) {
   return words;
 }
 
-/// mpirun of so many ranks, as root too and on fewer cores. OpenMPI reads that; others need none of
-/// it.
-Outcome run_ranks(
-    const Scene& scene, int ranks, const Words& call,
-    const std::function<void(int)>& meanwhile = [](int) {}) {
+/// What begins so many ranks, as root too and on fewer cores. OpenMPI reads that; others need none
+/// of it.
+Words ranks_running(int ranks, const Words& call) {
   for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
                            "OMPI_MCA_rmaps_base_oversubscribe"}) {
     ::setenv(name, "1", 1);
   }
   ::setenv("PRTE_MCA_rmaps_default_mapping_policy", ":oversubscribe", 1);  // OpenMPI 5
-  return scene.run_program(
-      MOIVRE_MPIRUN, together({"-n", std::to_string(ranks), MOIVRE_MPI_PROGRAM}, call), meanwhile);
+  return together({MOIVRE_MPIRUN, "-n", std::to_string(ranks), MOIVRE_MPI_PROGRAM}, call);
+}
+
+/// `meanwhile` is told the process of mpirun.
+Outcome run_ranks(const Scene& scene, int ranks, const Words& call,
+                  const std::function<void(int)>& meanwhile) {
+  Words words = ranks_running(ranks, call);
+  const std::string mpirun = words.front();
+  words.erase(words.begin());
+  return scene.run_program(mpirun, words, meanwhile);
+}
+
+/// Ranks that wait for each other are ended after two minutes, with an exit code of 124 or 137.
+Outcome run_ranks(const Scene& scene, int ranks, const Words& call) {
+  const Words limited{"timeout", "--kill-after=5", "120"};
+  return scene.run_program("/usr/bin/env", together(limited, ranks_running(ranks, call)),
+                           [](int) {});
 }
 
 std::string timeless(const std::string& text) {
@@ -151,6 +164,18 @@ TEST(Ranks, AfterTheDeathOfOneTheSameCommandGoesOn) {
     EXPECT_NE(killed.exit_code, 0) << "it had ended before";
     EXPECT_EQ(run_ranks(scene, 2, kept).exit_code, 0);
     EXPECT_EQ(timeless(scene.read("r.json")), timeless(scene.read("alone.json"))) << victim;
+  }
+}
+
+TEST(Ranks, EndTogetherWhateverIsOnItsWayBetweenThem) {
+  const Scene scene;
+  scene.write("f.phc", cyclic(7));
+  for (const char* limit : {"0.09", "0.13", "0.17", "0.21", "0.25", "0.29", "0.33", "0.37"}) {
+    const Outcome outcome =
+        run_ranks(scene, 2, {"solve", "f.phc", "--start", "total-degree", "--quiet", "--tracker",
+                             "lanes", "--time-limit", limit});
+    EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 2)
+        << limit << " s: exit code " << outcome.exit_code;
   }
 }
 
