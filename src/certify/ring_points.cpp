@@ -133,8 +133,9 @@ bool are_of_one_ring(const RingImage& a, const RingImage& b) {
 }
 
 /// Looked for after 2, 3, 4, 6, 9 ... primes.
-std::optional<Representation> representation_of(const System& f, const RingPointsOptions& options) {
-  RingImageOptions asked{options.most_terms, kMostRingPoints, options.stop, options.seed, 0};
+std::optional<Representation> representation_of(const System& f, const RingPointsOptions& options,
+                                                std::uint64_t most_dimension) {
+  RingImageOptions asked{options.most_terms, most_dimension, options.stop, options.seed, 0};
   auto image = ring_image(f, asked);
   if (!image) return std::nullopt;
   const RingImage first = *image;
@@ -199,11 +200,36 @@ std::optional<std::vector<std::vector<std::vector<Complex>>>> points_on(
   return std::nullopt;
 }
 
-}  // namespace
+/// Over the rationals: i is one more unknown, the last, with i^2 + 1 = 0. Its roots are those of f
+/// with i, and those of the conjugate of f with -i.
+System with_i_as_unknown(const System& f) {
+  const Polynomial i = unknown(static_cast<std::uint32_t>(f.variables.size()));
+  System result;
+  result.variables = f.variables;
+  result.variables.emplace_back("i");
+  for (const Polynomial& p : f.polynomials) {
+    Polynomial real, imaginary;
+    for (const Term& term : p.terms) {
+      const auto& [re, im] = term.coefficient;
+      if (!re.is_zero()) real.terms.push_back({{re, 0}, term.monomial});
+      if (!im.is_zero()) imaginary.terms.push_back({{im, 0}, term.monomial});
+    }
+    result.polynomials.push_back(real + imaginary * i);
+  }
+  result.polynomials.push_back(i * i + 1);
+  return result;
+}
 
-std::optional<RingPoints> ring_points(const System& f, const RingPointsOptions& options) {
-  thread_local const FlintCaches caches;
-  const auto representation = representation_of(f, options);
+/// Leaves the roots of f itself.
+void take_i_out(RingPoints& points) {
+  std::erase_if(points.simple, [](const auto& x) { return x.back().front().imag() < 0; });
+  for (auto& x : points.simple) x.pop_back();
+  points.multiple /= 2;
+}
+
+std::optional<RingPoints> real_ring_points(const System& f, const RingPointsOptions& options,
+                                           std::uint64_t most_dimension) {
+  const auto representation = representation_of(f, options, most_dimension);
   if (!representation) return std::nullopt;
   FlintPolynomial minimal;
   representation->front().set_integers(minimal);
@@ -221,6 +247,16 @@ std::optional<RingPoints> ring_points(const System& f, const RingPointsOptions& 
     result.simple = std::move(*points);
   }
   return result;
+}
+
+}  // namespace
+
+std::optional<RingPoints> ring_points(const System& f, const RingPointsOptions& options) {
+  thread_local const FlintCaches caches;
+  if (is_real(f)) return real_ring_points(f, options, kMostRingPoints);
+  auto points = real_ring_points(with_i_as_unknown(f), options, 2 * kMostRingPoints);
+  if (points) take_i_out(*points);
+  return points;
 }
 
 }  // namespace moivre

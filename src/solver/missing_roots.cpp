@@ -16,8 +16,10 @@
 namespace moivre {
 namespace {
 
-// Certificates take as many bits of a place.
-constexpr int kBitsOfPlace = 256;
+// Most need as many as the first; beside infinity, where the leading terms nearly vanish, it takes
+// more. Sums of doubles hold as many as the last.
+constexpr int kFirstProofBits = 256;
+constexpr int kBitsOfPlace = 1024;
 
 /// Of (1, x) and (1, y), by angle: roots of any size are compared. In [0, 1].
 double projective_distance(const Point& x, const Point& y) {
@@ -37,7 +39,10 @@ std::vector<ProvedPlace> proved(const Setting& setting, const RingPoints& points
   std::vector<ProvedPlace> places;
   for (const auto& coordinates : points.simple) {
     Place place = place_of(setting.prepared.reduction, coordinates);
-    const Certificate certificate = certifier.certify_near(place.x, place.finer, kBitsOfPlace);
+    Certificate certificate;
+    for (int bits = kFirstProofBits; !certificate.holds_root() && bits <= kBitsOfPlace; bits *= 2) {
+      certificate = certifier.certify_near(place.x, place.finer, bits);
+    }
     if (!certificate.holds_root()) continue;
     places.push_back({std::move(place), std::make_shared<const Certificate>(certificate), 1});
   }

@@ -44,8 +44,16 @@ TEST(MissingRoots, OfPathsThatNoDigitsDecideAreFoundByExactAlgebra) {
   }
 }
 
+TEST(MissingRoots, OfComplexCoefficientsAreFoundToo) {
+  const auto lanes = make_lane_tracker();
+  expect_nine_proved(solve(oscillators("0.81 + 0.38*i"), *lanes, with_seed(1)));
+}
+
 TEST(MissingRoots, AreFoundBesideTheReferenceTrackerToo) {
-  expect_nine_proved(solve_with_cvode(oscillators("1.1")));
+  const auto lanes = make_lane_tracker();
+  SolveOptions options = with_seed(1);
+  options.fallback = lanes.get();
+  expect_nine_proved(solve_with_cvode(oscillators("1.1"), options));
 }
 
 }  // namespace
