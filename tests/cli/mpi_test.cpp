@@ -171,9 +171,9 @@ TEST(Ranks, EndTogetherWhateverIsOnItsWayBetweenThem) {
   const Scene scene;
   scene.write("f.phc", cyclic(7));
   for (const char* limit : {"0.09", "0.13", "0.17", "0.21", "0.25", "0.29", "0.33", "0.37"}) {
-    const Outcome outcome =
-        run_ranks(scene, 2, {"solve", "f.phc", "--start", "total-degree", "--quiet", "--tracker",
-                             "lanes", "--time-limit", limit});
+    const Outcome outcome = run_ranks(scene, 2,
+                                      {"solve", "f.phc", "--start", "total-degree", "--quiet",
+                                       "--tracker", "lanes", "--time-limit", limit});
     EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 2)
         << limit << " s: exit code " << outcome.exit_code;
   }
