@@ -7,7 +7,7 @@
 //   z               the simple roots of m, isolated
 //   x_j = N_j(z) / N_0(z)
 //
-// Where a coefficient is not real, i is one more unknown with i^2 + 1 = 0, and those roots are taken
+// Where a coefficient is not real, i is one more unknown with i^2 + 1 = 0; those roots are taken
 // in which it is i.
 // For systems with few roots whose paths are hard: many that go to infinity together, roots of size
 // 1e5 beside others of size 1e-4. The number of primes grows with the digits of m, some hundred for
