@@ -15,6 +15,12 @@ using Float = boost::multiprecision::cpp_bin_float_50;
 
 constexpr int kDigits = 40;
 
+// Units of the last digit, different for different numbers: sqrt(8) - 2*sqrt(2) shows.
+constexpr int kLeastNudge = 100, kNudges = 900;
+
+thread_local bool is_nudged = false;
+thread_local std::uint64_t roundings = 0;
+
 Float to_float(const Rational& x) { return Float(numerator(x)) / Float(denominator(x)); }
 
 /// nullopt where x is no number, or beyond double.
@@ -27,7 +33,9 @@ std::optional<Rational> rounded_to_digits(const Float& x) {
   const auto power = static_cast<unsigned>(exponent < 0 ? -exponent : exponent);
   const Integer scale = pow(ten, power);
   const Float scaled = exponent < 0 ? x / Float(scale) : x * Float(scale);
-  const auto digits = static_cast<Integer>(round(scaled));
+  auto digits = static_cast<Integer>(round(scaled));
+  ++roundings;
+  if (is_nudged) digits += kLeastNudge + static_cast<int>(digits % kNudges);
   return exponent < 0 ? ratio(digits * scale, 1) : ratio(digits, scale);
 }
 
@@ -103,6 +111,15 @@ std::optional<Rational> number_power(const Rational& base, const Rational& expon
   return at(base, [&](const Float& f) { return Float(pow(f, power)); });
 }
 
-Rational number_pi() { return *rounded_to_digits(boost::math::constants::pi<Float>()); }
+Rational number_pi() {
+  const Rational pi = *rounded_to_digits(boost::math::constants::pi<Float>());
+  --roundings;
+  return pi;
+}
+
+NudgedNumbers::NudgedNumbers() { is_nudged = true; }
+NudgedNumbers::~NudgedNumbers() { is_nudged = false; }
+
+std::uint64_t rounded_numbers() { return roundings; }
 
 }  // namespace moivre

@@ -4,8 +4,11 @@
 //
 // Whole results are exact: sqrt(4) is 2. Others count as rounded (digits.h), to a double's error,
 // as if their digits had been typed.
+// While a NudgedNumbers lives in this thread each is another number, 1e-38 to 1e-37 of itself
+// beside: what the two readings of a text have in common does not hang on the rounding.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -24,5 +27,16 @@ NumberFunction number_function(const std::string& name);
 std::optional<Rational> number_power(const Rational& base, const Rational& exponent);
 
 Rational number_pi();
+
+class NudgedNumbers {
+ public:
+  NudgedNumbers();
+  ~NudgedNumbers();
+  NudgedNumbers(const NudgedNumbers&) = delete;
+  NudgedNumbers& operator=(const NudgedNumbers&) = delete;
+};
+
+/// How many numbers of this thread's texts were rounded so, pi not counted.
+std::uint64_t rounded_numbers();
 
 }  // namespace moivre

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "number_functions.h"
 #include "read_formats.h"
 #include "statements.h"
 
@@ -91,6 +92,20 @@ System read_as(PolynomialFormat format, const Source& source, std::vector<Diagno
   return read_phcpack(without_comments(source), faults);
 }
 
+bool may_name_pi(std::string_view text) {
+  return text.find("pi") != std::string_view::npos || text.find("\u03c0") != std::string_view::npos;
+}
+
+/// Empty where they are those of the system.
+std::vector<Polynomial> nudged_polynomials(PolynomialFormat format, const Source& source,
+                                           const System& system) {
+  const NudgedNumbers nudge;
+  std::vector<Diagnostic> faults;
+  System beside = read_as(format, source, faults);
+  if (!faults.empty() || beside.polynomials == system.polynomials) return {};
+  return std::move(beside.polynomials);
+}
+
 }  // namespace
 
 PolynomialFormat detect_format(const std::string& text) {
@@ -123,8 +138,12 @@ System read_system(const Source& source) { return read_system(source, detect_for
 
 System read_system(const Source& source, PolynomialFormat format) {
   System system;
+  const std::uint64_t before = rounded_numbers();
   read_text(source,
             [&](std::vector<Diagnostic>& faults) { system = read_as(format, source, faults); });
+  if (rounded_numbers() != before || may_name_pi(source.text)) {
+    system.nudged = nudged_polynomials(format, source, system);
+  }
   return system;
 }
 

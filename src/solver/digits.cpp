@@ -14,31 +14,19 @@
 #include "moivre/numeric/near_points.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/polynomial/patches.h"
+#include "solution_distance.h"
 
 namespace moivre {
 
 namespace {
 
+// Of roots of equations whose numbers have 40.
+constexpr int kDigitsOfRounded = 30;
+
 /// Beside coordinates of 1e16 two roots may be one in double: Newton's method may come to the other
 /// one.
 bool leads_elsewhere(const ReferenceRoot& found, const Solution& root) {
   return found.forward_error > std::max(root.accuracy, std::numeric_limits<double>::epsilon() / 2);
-}
-
-/// Of x + finer[0] + ...; smaller parts than both have tell nothing.
-double distance(const Solution& a, const Solution& b) {
-  Point apart(a.x.size());
-  const auto add = [&](const Point& part, double sign) {
-    for (std::size_t i = 0; i < part.size(); ++i) apart[i] += sign * part[i];
-  };
-  add(a.x, 1);
-  add(b.x, -1);
-  const std::size_t parts = std::max(a.finer.size(), b.finer.size());
-  for (std::size_t k = 0; k < parts; ++k) {
-    if (k < a.finer.size()) add(a.finer[k], 1);
-    if (k < b.finer.size()) add(b.finer[k], -1);
-  }
-  return max_norm(apart);
 }
 
 /// How far the root is from x + finer[0] + ..., relative to max(1, |x|_inf).
@@ -75,6 +63,11 @@ void give_digits(const System& f, int digits, SolveResult& result, const std::at
         "digits need as many equations as unknowns, and no homogeneous groups");
   }
   const Stopwatch watch;
+  if (!f.nudged.empty() && digits > kDigitsOfRounded) {
+    result.left_out.push_back({"digits behind the " + std::to_string(kDigitsOfRounded) + "th",
+                               "sqrt(2), pi and the like are taken with 40 digits"});
+    digits = kDigitsOfRounded;
+  }
   result.digits = digits;
   std::vector<ApproximateRoot> points;
   for (const Solution& root : result.solutions) points.push_back({root.x, root.finer});

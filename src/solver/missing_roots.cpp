@@ -79,7 +79,7 @@ void give_missing_roots(Run& run) {
   const bool can_be_found = ring.verdict == QuotientRing::Verdict::finite &&
                             ring.dimension <= kMostRingPoints && is_root_missing(run);
   const bool may_have_digits = !run.setting.trackers.finer.empty();
-  if (!can_be_found || !may_have_digits) return;
+  if (!can_be_found || !may_have_digits || run.setting.options.every_path) return;
   const PathSet open = open_to_more_digits(run);
   const std::uint64_t terms = terms_instead_of(open.size());
   if (terms == 0 || !run.bounds.for_roots.allows(terms)) return;

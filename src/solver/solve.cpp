@@ -21,6 +21,7 @@
 #include "moivre/polynomial/patches.h"
 #include "moivre/solver/cross_check.h"
 #include "multiplicities.h"
+#include "nudged.h"
 #include "settle.h"
 #include "sheets.h"
 #include "squared.h"
@@ -280,7 +281,16 @@ SolveResult told(const System& f, const SolveOptions& options, SolveResult resul
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options,
                   const std::atomic<bool>& stop) {
   require_usable(f, options);
-  return told(f, options, solve_any(f, tracker, options, stop));
+  SolveResult result = told(f, options, solve_any(f, tracker, options, stop));
+  if (f.nudged.empty() || stop) return result;
+  System nudged = f;
+  nudged.polynomials = f.nudged;
+  SolveOptions once_more = options;
+  once_more.observations = nullptr;
+  once_more.progress = {};
+  keep_what_rounding_leaves(told(nudged, once_more, solve_any(nudged, tracker, once_more, stop)),
+                            result);
+  return result;
 }
 
 SolveResult solve_from(const System& f, GivenStart start, const Tracker& tracker,

@@ -137,6 +137,10 @@ struct System {
   /// Equation i is 2^scaled_log2[i] times what was typed, which double does not hold
   /// (double_range.h); 0 and behind the end: it is as typed.
   std::vector<int> scaled_log2 = {};
+  /// The polynomials with each number of the text that no fraction is (sqrt(2), pi), which is taken
+  /// with 40 digits, changed by 1e-38 to 1e-37 of itself; empty where there is none. What both have
+  /// in common does not hang on the rounding (solver/solve.h).
+  std::vector<Polynomial> nudged = {};
 
   /// The same equations in the same unknowns. Groups tell how to look for roots, and conditions
   /// which are wanted, not which equations hold.

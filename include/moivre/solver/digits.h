@@ -15,8 +15,9 @@ namespace moivre {
 void require_digits(int digits);
 
 /// Fills `x_digits` of every root to which Newton's method converges; what has none, and why, joins
-/// `left_out`. Once `stop` is true no further root is begun, and the result is not complete. Throws
-/// as require_digits(), and std::invalid_argument where f is not square or has homogeneous groups.
+/// `left_out`. So do digits behind the 30th where numbers of the text, such as sqrt(2), have 40.
+/// Once `stop` is true no further root is begun, and the result is not complete. Throws as
+/// require_digits(), and std::invalid_argument where f is not square or has homogeneous groups.
 void give_digits(const System& f, int digits, SolveResult& result, const std::atomic<bool>& stop);
 
 /// How many digits part the roots that are proved to differ, but are one in double: 0 where there
