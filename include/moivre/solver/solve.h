@@ -298,8 +298,8 @@ struct SolveResult {
 /// (polynomial/system.h), an option is out of range, the paths do not fit into `memory`, or there
 /// are fewer equations than unknowns without `slice`; std::overflow_error when the number of paths
 /// exceeds 64 bits. A set `stop` ends the run with the paths that are finished. Of a text with
-/// numbers that no fraction is (System::nudged) two systems are solved, and what they do not have in
-/// common is in doubt.
+/// numbers that no fraction is (System::nudged) two systems are solved: what is not in both of them
+/// is in doubt.
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options = {},
                   const std::atomic<bool>& stop = std::atomic<bool>{false});
 
