@@ -138,8 +138,10 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
     }
     const bool counts = added_size(beginning, end) <= kMargin * accuracy;
     const std::size_t places = list.places.size();
-    const PostureEntry entry =
-        is_coarse || imaginary <= kNearlyReal ? enter(list, start, false) : PostureEntry{};
+    const bool is_nearly_real = is_coarse || imaginary <= kNearlyReal;
+    const PostureEntry entry = is_nearly_real ? enter(list, start, false) : PostureEntry{};
+    // Where three axes all but meet, closures come from afar to those on a line that is one.
+    if (!is_nearly_real && has_all_joints) enter(list, start, false);
     if (entry.kind == PostureEntry::Kind::closure && entry.moved <= kFarthest) {
       ArmClosure& closure = list.closures[entry.index];
       // An end elsewhere may have led here before: that was no path of this closure.
@@ -194,6 +196,7 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
   }
   for (const ConjugatePair& pair : found.pairs) {
     if (has_all_joints || added_at(pair.values) <= kMargin * accuracy) result.counts.complex += 2;
+    if (has_all_joints) enter(list, own_values(six, pair.values.real()), false);
   }
   return true;
 }

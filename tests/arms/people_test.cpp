@@ -282,6 +282,33 @@ TEST(PeoplesArmsTest, ClosuresOnASurfaceWithinTheDigitsAreListed) {
   expect_listed("irb1200_three_digits", own, 4, 1e-5);
 }
 
+/// The shoulder's axes meet but for 1.5708, and two of them are in line: closures that are far from
+/// real at other poses are on that line. Paths lead to a pair beside them that is not real.
+TEST(PeoplesArmsTest, ClosuresThatComeFromAfarToAStraightShoulderAreListed) {
+  const std::vector<PeoplesArm> arms{
+      {"panda_four_digits",
+       {{"p7", 0.5}},
+       {{-1.9439071987688485, 0, 0.40471769125890367, -0.09739601769578332, 2.505883621963318,
+         -2.601160579096578}}},
+      {"xarm7_four_digits",
+       {{"x7", 0.5}},
+       {{0.7249860371262926, 0, 3.124062163134476, 3.0211775357715274, 1.1657946707540434,
+         0.9453635139748178}}}};
+  for (const PeoplesArm& peoples : arms) {
+    const Arm arm = made_of(peoples);
+    const Eigen::VectorXd own = Eigen::Map<const Eigen::VectorXd>(peoples.values[0].data(), 6);
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      SCOPED_TRACE(peoples.name + (" seed " + std::to_string(seed)));
+      const ArmResult result =
+          find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread(seed));
+      EXPECT_LT(least_distance(arm, result, own), 1e-6);
+      EXPECT_TRUE(std::any_of(result.moves.begin(), result.moves.end(),
+                              [](const SelfMotion& set) { return set.within_digits; }) ||
+                  !result.complete);
+    }
+  }
+}
+
 /// Two closures are 1.2e-3 apart on a bent curve, along which Newton's steps miss the pose by more
 /// before they miss it by less.
 TEST(PeoplesArmsTest, ClosuresThatNearlyMeetOnABentCurveAreListed) {
