@@ -140,7 +140,9 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
     const std::size_t places = list.places.size();
     const bool is_nearly_real = is_coarse || imaginary <= kNearlyReal;
     const PostureEntry entry = is_nearly_real ? enter(list, start, false) : PostureEntry{};
-    // Where three axes all but meet, closures come from afar to those on a line that is one.
+    if (list.places.size() > places) seen.between_pairs.push_back(list.places.back());
+    // Of axes that meet but for the file's digits two may be in line: then there are closures to
+    // which no path leads, near this pair.
     if (!is_nearly_real && has_all_joints) enter(list, start, false);
     if (entry.kind == PostureEntry::Kind::closure && entry.moved <= kFarthest) {
       ArmClosure& closure = list.closures[entry.index];
@@ -154,7 +156,6 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
     }
     if (entry.kind == PostureEntry::Kind::on_set) continue;
     if (counts) ++result.counts.complex;
-    if (list.places.size() > places) seen.between_pairs.push_back(list.places.back());
     const bool is_real = imaginary <= 10 * end.accuracy + 1e-10;
     if (is_real && has_all_joints) are_read = false;
   }

@@ -19,7 +19,6 @@ constexpr int kDigits = 40;
 constexpr int kLeastNudge = 100, kNudges = 900;
 
 thread_local bool is_nudged = false;
-thread_local std::uint64_t roundings = 0;
 
 Float to_float(const Rational& x) { return Float(numerator(x)) / Float(denominator(x)); }
 
@@ -34,7 +33,6 @@ std::optional<Rational> rounded_to_digits(const Float& x) {
   const Integer scale = pow(ten, power);
   const Float scaled = exponent < 0 ? x / Float(scale) : x * Float(scale);
   auto digits = static_cast<Integer>(round(scaled));
-  ++roundings;
   if (is_nudged) digits += kLeastNudge + static_cast<int>(digits % kNudges);
   return exponent < 0 ? ratio(digits * scale, 1) : ratio(digits, scale);
 }
@@ -111,15 +109,9 @@ std::optional<Rational> number_power(const Rational& base, const Rational& expon
   return at(base, [&](const Float& f) { return Float(pow(f, power)); });
 }
 
-Rational number_pi() {
-  const Rational pi = *rounded_to_digits(boost::math::constants::pi<Float>());
-  --roundings;
-  return pi;
-}
+Rational number_pi() { return *rounded_to_digits(boost::math::constants::pi<Float>()); }
 
 NudgedNumbers::NudgedNumbers() { is_nudged = true; }
 NudgedNumbers::~NudgedNumbers() { is_nudged = false; }
-
-std::uint64_t rounded_numbers() { return roundings; }
 
 }  // namespace moivre

@@ -8,7 +8,6 @@
 // beside: what the two readings of a text have in common does not hang on the rounding.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -35,8 +34,5 @@ class NudgedNumbers {
   NudgedNumbers(const NudgedNumbers&) = delete;
   NudgedNumbers& operator=(const NudgedNumbers&) = delete;
 };
-
-/// How many numbers of this thread's texts were rounded so, pi not counted.
-std::uint64_t rounded_numbers();
 
 }  // namespace moivre

@@ -138,10 +138,9 @@ System read_system(const Source& source) { return read_system(source, detect_for
 
 System read_system(const Source& source, PolynomialFormat format) {
   System system;
-  const std::uint64_t before = rounded_numbers();
   read_text(source,
             [&](std::vector<Diagnostic>& faults) { system = read_as(format, source, faults); });
-  if (rounded_numbers() != before || may_name_pi(source.text)) {
+  if (!system.is_exact || may_name_pi(source.text)) {
     system.nudged = nudged_polynomials(format, source, system);
   }
   return system;

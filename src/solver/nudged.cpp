@@ -51,27 +51,26 @@ double distance_to_nearest(const Solution& root, const SolveResult& nudged) {
 
 void keep_what_rounding_leaves(const SolveResult& nudged, SolveResult& result) {
   std::uint64_t in_doubt = 0;
-  std::vector<bool> holds;
   for (std::size_t k = 0; k < result.solutions.size(); ++k) {
     Solution& root = result.solutions[k];
     const double moved = distance_to_nearest(root, nudged);
-    holds.push_back(moved <= kShareOfRoom * room_of(result, k) &&
-                    (root.singular || root.condition <= kMostCondition));
-    if (holds.back()) {
+    const bool is_told = root.singular || root.condition <= kMostCondition;
+    if (is_told && moved <= kShareOfRoom * room_of(result, k)) {
       root.accuracy = std::max(root.accuracy, moved / std::max(1.0, max_norm(root.x)));
     } else {
       ++in_doubt;
       if (root.certified) root.certified = false;
     }
   }
+  if (in_doubt > 0) {
+    result.left_out.push_back(
+        {counted(in_doubt, "root") + " that may be none",
+         "sqrt(2), pi and the like are taken with 40 digits, and the digits behind them decide"});
+  }
+  if (!nudged.complete) return put_in_doubt(result, nudged.message);
   const bool is_one_system = nudged.solutions.size() == result.solutions.size() &&
                              nudged.completeness == result.completeness;
   if (in_doubt == 0 && is_one_system) return;
-  if (result.completeness) result.completeness = RootCompleteness::open;
-  result.bound.reset();
-  result.left_out.push_back(
-      {counted(in_doubt, "root") + " that may be none",
-       "sqrt(2), pi and the like are taken with 40 digits, and the digits behind them decide"});
   put_in_doubt(result,
                "numbers that are no fractions (sqrt(2), pi) are taken with 40 digits, and which "
                "roots there are hangs on the digits behind them");

@@ -282,7 +282,7 @@ SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& o
                   const std::atomic<bool>& stop) {
   require_usable(f, options);
   SolveResult result = told(f, options, solve_any(f, tracker, options, stop));
-  if (f.nudged.empty() || stop) return result;
+  if (f.nudged.empty()) return result;
   System nudged = f;
   nudged.polynomials = f.nudged;
   SolveOptions once_more = options;

@@ -31,6 +31,11 @@ std::vector<Point> leading_parts(const RingPoints& points) {
   return result;
 }
 
+void expect_point(const Point& root, Complex x, Complex y) {
+  EXPECT_NEAR(std::abs(root[0] - x), 0, 1e-15);
+  EXPECT_NEAR(std::abs(root[1] - y), 0, 1e-15);
+}
+
 TEST(RingPoints, AreAllSimpleRootsWithAllCoordinates) {
   const auto points = points_of("2\nx^2 + y^2 - 5;\nx*y - 2;\n");
   ASSERT_TRUE(points);
@@ -38,10 +43,7 @@ TEST(RingPoints, AreAllSimpleRootsWithAllCoordinates) {
   const std::vector<Point> roots = leading_parts(*points);
   ASSERT_EQ(roots.size(), 4U);
   const double x[] = {-2, -1, 1, 2};
-  for (std::size_t k = 0; k < 4; ++k) {
-    EXPECT_NEAR(std::abs(roots[k][0] - x[k]), 0, 1e-15);
-    EXPECT_NEAR(std::abs(roots[k][1] - 2 / x[k]), 0, 1e-15);
-  }
+  for (std::size_t k = 0; k < 4; ++k) expect_point(roots[k], x[k], 2 / x[k]);
 }
 
 TEST(RingPoints, LeaveOutMultipleOnesAndCountThem) {
@@ -78,10 +80,8 @@ TEST(RingPoints, AreThoseOfASystemOfComplexCoefficientsNotOfItsConjugate) {
   EXPECT_EQ(points->multiple, 1U);
   const std::vector<Point> roots = leading_parts(*points);
   ASSERT_EQ(roots.size(), 2U);
-  EXPECT_NEAR(std::abs(roots[0][0] - Complex(0, 2)), 0, 1e-15);
-  EXPECT_NEAR(std::abs(roots[0][1] - Complex(-2, 0)), 0, 1e-15);
-  EXPECT_NEAR(std::abs(roots[1][0] - Complex(3, -1)), 0, 1e-15);
-  EXPECT_NEAR(std::abs(roots[1][1] - Complex(1, 3)), 0, 1e-15);
+  expect_point(roots[0], Complex(0, 2), -2);
+  expect_point(roots[1], Complex(3, -1), Complex(1, 3));
 }
 
 TEST(RingPoints, AreTheSameWithAnySeed) {

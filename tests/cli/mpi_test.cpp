@@ -23,31 +23,27 @@ Words together(Words words, const Words& more) {
   return words;
 }
 
-/// What begins so many ranks, as root too and on fewer cores. OpenMPI reads that; others need none
-/// of it.
-Words ranks_running(int ranks, const Words& call) {
+/// What mpirun is told of so many ranks, as root too and on fewer cores. OpenMPI reads that; others
+/// need none of it.
+Words of_ranks(int ranks, const Words& call) {
   for (const char* name : {"OMPI_ALLOW_RUN_AS_ROOT", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM",
                            "OMPI_MCA_rmaps_base_oversubscribe"}) {
     ::setenv(name, "1", 1);
   }
   ::setenv("PRTE_MCA_rmaps_default_mapping_policy", ":oversubscribe", 1);  // OpenMPI 5
-  return together({MOIVRE_MPIRUN, "-n", std::to_string(ranks), MOIVRE_MPI_PROGRAM}, call);
+  return together({"-n", std::to_string(ranks), MOIVRE_MPI_PROGRAM}, call);
 }
 
 /// `meanwhile` is told the process of mpirun.
 Outcome run_ranks(const Scene& scene, int ranks, const Words& call,
                   const std::function<void(int)>& meanwhile) {
-  Words words = ranks_running(ranks, call);
-  const std::string mpirun = words.front();
-  words.erase(words.begin());
-  return scene.run_program(mpirun, words, meanwhile);
+  return scene.run_program(MOIVRE_MPIRUN, of_ranks(ranks, call), meanwhile);
 }
 
 /// Ranks that wait for each other are ended after two minutes, with an exit code of 124 or 137.
 Outcome run_ranks(const Scene& scene, int ranks, const Words& call) {
-  const Words limited{"timeout", "--kill-after=5", "120"};
-  return scene.run_program("/usr/bin/env", together(limited, ranks_running(ranks, call)),
-                           [](int) {});
+  const Words limited{"timeout", "--kill-after=5", "120", MOIVRE_MPIRUN};
+  return scene.run_program("/usr/bin/env", together(limited, of_ranks(ranks, call)), [](int) {});
 }
 
 std::string timeless(const std::string& text) {
