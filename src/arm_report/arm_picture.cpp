@@ -50,8 +50,8 @@ Panel panel_of(const Arm& arm, const Skeleton& skeleton, const ArmClosure& closu
 
 /// Of a set one posture is drawn.
 Panel panel_of(const Arm& arm, const Skeleton& skeleton, const SelfMotion& set, bool in_degrees) {
-  const std::string caption = set.within_digits     ? "moves within the digits, from here"
-                              : set.misfit > kReach ? "moves within the pose's accuracy, from here"
+  const std::string caption = set.within_digits     ? "moves within the digits"
+                              : set.misfit > kReach ? "moves within the accuracy"
                                                     : "moves, from here";
   return {caption,
           skeleton_pose(skeleton, arm, set.values),
