@@ -283,8 +283,9 @@ double reach_of(const Arm& arm, const std::vector<VectorXd>& samples) {
 MatrixXd far_reaching(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
                       double accuracy, double step) {
   constexpr int kSteps = 8;
-  const MatrixXd screws = linearized(arm, pose, begin.place.values).screws;
-  const MatrixXd ways = begin.ways * svd(screws * begin.ways, SingularVectors::full).V;
+  // Places that probes come to tell how many there are; where they are bent, they are chords, and
+  // the tip moves under them much more than under tangents.
+  const MatrixXd ways = stretch_of(begin.place).V.rightCols(begin.ways.cols());
   MatrixXd far(ways.rows(), 0);
   for (Index k = ways.cols() - 1; k >= 0; --k) {
     std::vector<VectorXd> samples;
