@@ -288,9 +288,12 @@ bool are_different(const Arm& arm, const std::vector<ApproachEnd>& ends) {
   return true;
 }
 
-bool have_conjugates(const Arm& arm, const std::vector<ApproachEnd>& ends) {
-  return std::all_of(ends.begin(), ends.end(),
-                     [&](const ApproachEnd& end) { return has_conjugate(arm, end, ends); });
+std::vector<std::size_t> without_conjugate(const Arm& arm, const std::vector<ApproachEnd>& ends) {
+  std::vector<std::size_t> alone;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (!has_conjugate(arm, ends[k], ends)) alone.push_back(k);
+  }
+  return alone;
 }
 
 }  // namespace moivre

@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint64_t kForSets = 40, kForNearest = 4;
 
 /// All closures of the regular pose on their way to this one; ways differ until nothing speaks
-/// against what they lead to.
+/// against what they lead to. Consistent: no two ways end at one closure, and none is lost.
 std::vector<ApproachEnd> approach_all(const ArmBeginning& beginning, const Eigen::Isometry3d& pose,
                                       std::uint64_t seed, bool& is_consistent) {
   constexpr std::uint64_t kWays = 4, kBehindOthers = 5000;
@@ -27,16 +27,18 @@ std::vector<ApproachEnd> approach_all(const ArmBeginning& beginning, const Eigen
   std::vector<ApproachEnd> ends;
   double contraction = kContraction;
   is_consistent = false;
-  for (std::uint64_t k = 0; k < kWays && !is_consistent; ++k) {
+  bool have_conjugates = false;
+  for (std::uint64_t k = 0; k < kWays && !(is_consistent && have_conjugates); ++k) {
     const double unit = random_unit(seed, RandomStream::arm, kBehindOthers + k);
     const TipWay way = tip_way(beginning.regular.pose, pose, (k % 2 == 0 ? 1 : -1) * (0.5 + unit));
     ends.clear();
     for (const RegularRoot& root : beginning.regular.roots) {
       ends.push_back(approach(beginning.six.arm, way, root.values, contraction));
     }
+    is_consistent = are_different(beginning.six.arm, ends);
     // A conjugate may be one of those that are not followed.
-    is_consistent = are_different(beginning.six.arm, ends) &&
-                    (beginning.regular.far > 0 || have_conjugates(beginning.six.arm, ends));
+    have_conjugates =
+        beginning.regular.far > 0 || without_conjugate(beginning.six.arm, ends).empty();
     contraction *= kMoreCareful;
   }
   return ends;
@@ -98,7 +100,7 @@ bool may_have_become_real(const ArmBeginning& beginning, const std::vector<Appro
                           const PostureList& list) {
   constexpr double kNearlySingular = 0.02;
   if (beginning.regular.far == 0) return false;
-  if (list.closures.empty() || !have_conjugates(beginning.six.arm, ends)) return true;
+  if (list.closures.empty() || !without_conjugate(beginning.six.arm, ends).empty()) return true;
   return std::any_of(list.closures.begin(), list.closures.end(), [](const ArmClosure& closure) {
     return closure.smallest_singular_value < kNearlySingular;
   });
@@ -173,6 +175,9 @@ void explain(PoseSearch& pose) {
     }
   }
   for (const PathsSeen& seen : pose.seen) {
+    for (const PlaceOfEnd& end : seen.unpaired) {
+      if (!is_on_plane(end, list)) result.complete = false;
+    }
     for (const Eigen::VectorXd& place : seen.between_pairs) {
       if (!is_listed(list, place)) enter_meeting(list, place);
     }

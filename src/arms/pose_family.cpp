@@ -142,7 +142,7 @@ std::vector<std::vector<ApproachEnd>> follow_poses(const PoseFamily& poses, cons
   for (std::size_t k = 0; k < wanted.size(); ++k) {
     std::vector<ApproachEnd> ends = ends_of(poses, arm, wanted[k].pose, loops[k], roots[k]);
     const bool is_plain =
-        ends.size() == closures && are_different(arm, ends) && have_conjugates(arm, ends);
+        ends.size() == closures && are_different(arm, ends) && without_conjugate(arm, ends).empty();
     if (is_plain) all[k] = std::move(ends);
   }
   return all;

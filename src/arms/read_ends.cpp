@@ -36,6 +36,12 @@ double added_size(const ArmBeginning& beginning, const ApproachEnd& end) {
   return largest;
 }
 
+PlaceOfEnd place_of(const SixJoints& six, const ApproachEnd& end) {
+  const Eigen::VectorXd start = own_values(six, end.values.real());
+  const Eigen::VectorXd sum = end.values.real() + end.values.imag();
+  return {start, own_values(six, sum) - start};
+}
+
 /// Paths stop before they are there, where three and more meet.
 constexpr double kNear = 0.03;
 
@@ -70,20 +76,6 @@ bool is_at_set(const SingularEnd& end, const PostureList& list,
                const std::function<bool(const SelfMotion&)>& is_meant) {
   return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
     return is_meant(set) && is_on(list.arm, set, end.values, kNear);
-  });
-}
-
-/// Whether the end is on a plane of postures, or on its continuation into complex numbers: paths
-/// slide along it, as slowly as rounding lets them be followed. All closures on it are listed, but
-/// for a plane that seems to hold the pose and ends.
-bool is_on_plane(const SingularEnd& end, const PostureList& list) {
-  constexpr double kOnPlane = 1e-3;
-  return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
-    const bool is_told = is_exact(set) || (is_searched(set) && set.misfit > kReach);
-    if (set.relations.empty() || !is_told) return false;
-    if (!is_on(list.arm, set, end.values, kOnPlane)) return false;
-    const Eigen::VectorXd along = PivotedQr<double>(set.directions).solve(end.imaginary);
-    return (end.imaginary - set.directions * along).norm() <= kOnPlane;
   });
 }
 
@@ -124,6 +116,12 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
   // What a pose leaves open may be as large as a pair is far from real.
   const bool is_coarse = list.accuracy > kReach;
   bool are_read = true;
+  if (beginning.regular.far == 0) {
+    for (const std::size_t k : without_conjugate(six.arm, ends)) {
+      seen.unpaired.push_back(place_of(six, ends[k]));
+      if (!has_all_joints) are_read = false;
+    }
+  }
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const ApproachEnd& end = ends[k];
     if (end.kind == ApproachKind::infinite || end.kind == ApproachKind::lost) continue;
@@ -131,9 +129,8 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
     const Eigen::VectorXd start = own_values(six, end.values.real());
     if (end.kind == ApproachKind::singular) {
       enter(list, start, false);
-      const Eigen::VectorXd sum = end.values.real() + end.values.imag();
       seen.singular.push_back(
-          {start, own_values(six, sum) - start, imaginary, added_size(beginning, end), end.to_go});
+          {place_of(six, end), imaginary, added_size(beginning, end), end.to_go});
       continue;
     }
     const bool counts = added_size(beginning, end) <= kMargin * accuracy;
@@ -224,6 +221,17 @@ bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, Ar
   // no closure of the arm.
   return is_at_listed(end, list, seen, result) ||
          end.added > std::max(clear, kMargin * list.accuracy);
+}
+
+bool is_on_plane(const PlaceOfEnd& end, const PostureList& list) {
+  constexpr double kOnPlane = 1e-3;
+  return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
+    const bool is_told = is_exact(set) || (is_searched(set) && set.misfit > kReach);
+    if (set.relations.empty() || !is_told) return false;
+    if (!is_on(list.arm, set, end.values, kOnPlane)) return false;
+    const Eigen::VectorXd along = PivotedQr<double>(set.directions).solve(end.imaginary);
+    return (end.imaginary - set.directions * along).norm() <= kOnPlane;
+  });
 }
 
 bool is_listed(const PostureList& list, const Eigen::VectorXd& place) {

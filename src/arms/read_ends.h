@@ -17,10 +17,14 @@
 
 namespace moivre {
 
+/// Where a path ended, in the arm's own joints.
+struct PlaceOfEnd {
+  Eigen::VectorXd values;  ///< the real part
+  Eigen::VectorXd imaginary;
+};
+
 /// A path that ended where closures meet, or where a set is.
-struct SingularEnd {
-  Eigen::VectorXd values;     ///< of the arm, the real part
-  Eigen::VectorXd imaginary;  ///< of the arm
+struct SingularEnd : PlaceOfEnd {
   double imaginary_size = 0;  ///< of all joints, radians or lengths beside the arm's
   double added = 0;           ///< of the joints that were added
   double to_go = 0;           ///< how far it is from what the path leads to
@@ -30,6 +34,8 @@ struct SingularEnd {
 struct PathsSeen {
   std::map<std::size_t, std::uint64_t> paths_to;  ///< by closure
   std::vector<SingularEnd> singular;
+  /// The arm as typed has a closure more here than the paths lead to: the conjugate of this one.
+  std::vector<PlaceOfEnd> unpaired;
   /// Between two closures that are nearly real: the pose is held within its accuracy there.
   std::vector<Eigen::VectorXd> between_pairs;
 };
@@ -48,6 +54,12 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
 /// Whether the end is at a set or a closure that is listed, or at one that is found next to it, or
 /// at a singular one that is not real or not the arm's own.
 bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, ArmResult& result);
+
+/// Whether the end is on a plane of postures, or on its continuation into complex numbers: paths
+/// slide along it, as slowly as rounding lets them be followed, and of an arm as typed more closures
+/// may be there than of the geometry that its digits stand for. All real ones on it are listed, but
+/// for a plane that seems to hold the pose and ends.
+bool is_on_plane(const PlaceOfEnd& end, const PostureList& list);
 
 /// Whether a place that holds the pose within its accuracy is of a set or a closure that is listed:
 /// near to it, or the pose is held half way, too.

@@ -25,7 +25,7 @@ constexpr double kMayStand = 0.02;
 /// A set of one dimension has at most so many samples to each side, one of more dimensions so many
 /// ways of so many steps.
 constexpr int kMostSteps = 400;
-constexpr int kWays = 12, kStepsOfAWay = 25;
+constexpr int kWays = 12, kStepsOfAWay = 25, kStepsAlong = 100;
 /// Of a probe: how near places of a curve are that tell its one direction.
 constexpr double kNearProbe = 0.1;
 /// Where random numbers of the first place, of one further on, and of ways begin.
@@ -141,10 +141,11 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
   return way;
 }
 
-/// Rows r with r . (samples - first) = 0, in reduced echelon form over the joints that move.
+/// Rows r with r . (samples - first) = 0, in reduced echelon form over the joints that move. A set
+/// that is there within the digits only is as flat as they let it be.
 std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<VectorXd>& samples,
-                                        int dimension) {
-  constexpr double kFlat = 1e-6;
+                                        int dimension, bool is_exact) {
+  const double flat = is_exact ? 1e-6 : 3e-5;
   const Index n = samples.front().size();
   MatrixXd spread(std::ssize(samples), n);
   for (Index i = 0; i < spread.rows(); ++i) {
@@ -153,7 +154,7 @@ std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<Vector
   std::vector<Index> moving;
   for (Index k = 0; k < n; ++k) {
     const double unit = arm.joints[static_cast<std::size_t>(k)].is_slide ? arm.length : 1;
-    if (spread.col(k).cwiseAbs().maxCoeff() > kFlat * unit) moving.push_back(k);
+    if (spread.col(k).cwiseAbs().maxCoeff() > flat * unit) moving.push_back(k);
   }
   if (moving.empty()) return {};
   const auto m = std::ssize(moving);
@@ -163,7 +164,7 @@ std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<Vector
   }
   const Svd stretch = svd(of_moving.transpose() * of_moving, SingularVectors::full);
   for (Index k = dimension; k < m; ++k) {
-    if (stretch.sigma[k] > kFlat * kFlat * stretch.sigma[0]) return {};
+    if (stretch.sigma[k] > flat * flat * stretch.sigma[0]) return {};
   }
   MatrixXd rows = stretch.V.rightCols(m - dimension).transpose();
   for (Index r = 0; r < rows.rows(); ++r) {
@@ -180,7 +181,7 @@ std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<Vector
     relation.factors = VectorXd::Zero(n);
     for (Index k = 0; k < m; ++k) {
       const double nearest = std::round(rows(r, k));
-      const bool is_whole = std::abs(rows(r, k) - nearest) < kFlat;
+      const bool is_whole = std::abs(rows(r, k) - nearest) < flat;
       relation.factors[moving[static_cast<std::size_t>(k)]] = is_whole ? nearest : rows(r, k);
     }
     relation.value = relation.factors.dot(samples.front());
@@ -258,16 +259,26 @@ void trace_curve(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& 
   traced.near_closures = near_closures(arm, pose, places, accuracy);
 }
 
+/// To both sides along each of its directions, and along random ones. Where closures of the arm are
+/// on a surface that is open within an accuracy, nothing tells but Newton's method, from everywhere.
 void trace_surface(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
-                   double accuracy, double step, std::uint64_t seed, SelfMotion& motion) {
+                   double accuracy, double step, std::uint64_t seed, TracedSet& traced) {
+  SelfMotion& motion = traced.motion;
   motion.samples.push_back(begin.place.values);
-  for (int way = 0; way < kWays; ++way) {
-    const VectorXd direction = random_unit_vector(
-        begin.ways, seed, kThirdStream + static_cast<std::uint64_t>(way * kMostJoints));
+  const auto go = [&](const VectorXd& direction, int most) {
     const Way gone =
-        follow(arm, pose, begin.place, direction, motion.dimension, kStepsOfAWay, accuracy, step);
+        follow(arm, pose, begin.place, direction, motion.dimension, most, accuracy, step);
     take(gone.places, motion.samples, motion.misfit);
+  };
+  for (Index k = 0; k < begin.ways.cols(); ++k) {
+    for (const double sign : {-1.0, 1.0}) go(sign * begin.ways.col(k), kStepsAlong);
   }
+  for (int way = 0; way < kWays; ++way) {
+    go(random_unit_vector(begin.ways, seed,
+                          kThirdStream + static_cast<std::uint64_t>(way * kMostJoints)),
+       kStepsOfAWay);
+  }
+  if (motion.misfit > kReach) traced.near_closures = motion.samples;
 }
 
 double reach_of(const Arm& arm, const std::vector<VectorXd>& samples) {
@@ -322,7 +333,7 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   if (motion.dimension == 1) {
     trace_curve(arm, pose, *begin, accuracy, step, traced);
   } else {
-    trace_surface(arm, pose, *begin, accuracy, step, seed, motion);
+    trace_surface(arm, pose, *begin, accuracy, step, seed, traced);
   }
   // A few steps are no set: closures that meet leave the accuracy behind as slowly.
   const double reached = reach_of(arm, motion.samples);
@@ -337,7 +348,7 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   }
   const Velocity6<double> least = least_moved(begin->place);
   motion.lost = {arm.length * least.head<3>(), least.tail<3>()};
-  motion.relations = relations_of(arm, motion.samples, motion.dimension);
+  motion.relations = relations_of(arm, motion.samples, motion.dimension, motion.misfit <= kReach);
   return traced;
 }
 
