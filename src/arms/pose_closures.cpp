@@ -219,6 +219,7 @@ ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at, const Kn
                                                          pose.list, pose.result);
     if (!pose.are_all_simple) enter_ends(pose, k, known, tracker, stop);
   }
+  follow_branches(pose.list);
   search(pose.list, pose.result, searches_for(pose, as_witness));
   explain(pose);
   return finished(std::move(pose));

@@ -195,6 +195,31 @@ void follow_digits(PostureList& list, const Polished& place) {
   }
 }
 
+/// Along which the tip can move so little that the accuracy leaves them open.
+int weak_directions(const PostureList& list, const Eigen::VectorXd& values, double accuracy) {
+  const Eigen::VectorXd sigma = stretch_of(place_at(list.arm, list.pose, values)).sigma;
+  return static_cast<int>((sigma.array() <= accuracy / kReachesFar).count());
+}
+
+/// The sets that cross there.
+void add_branches(PostureList& list, const Eigen::VectorXd& crossing, int weak, double accuracy) {
+  for (TracedSet& branch :
+       trace_branches(list.arm, list.pose, crossing, weak, accuracy, list.seed)) {
+    if (set_of(list, branch.motion.values, is_any)) continue;
+    const bool is_within_digits = branch.motion.misfit > list.accuracy;
+    add(list, std::move(branch), is_within_digits);
+  }
+}
+
+/// The largest of the sets that are told through the posture.
+int dimension_told(const PostureList& list, const Eigen::VectorXd& values) {
+  int largest = 0;
+  for (const SelfMotion& set : list.moves) {
+    if (set.dimension > largest && is_on(list.arm, set, values, kOnSet)) largest = set.dimension;
+  }
+  return largest;
+}
+
 }  // namespace
 
 bool is_exact(const SelfMotion& set) { return !set.within_digits && set.misfit <= kReach; }
@@ -281,6 +306,23 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
   if (const auto same = known()) return *same;
   list.closures.push_back(std::move(closure));
   return {PostureEntry::Kind::closure, list.closures.size() - 1, true, 0};
+}
+
+void follow_branches(PostureList& list) {
+  constexpr std::size_t kMost = 64;
+  // What the digits leave open lets places drift aside from a set that is open within much less.
+  constexpr double kFiner[] = {1, 0.1, 0.01};
+  for (const double accuracy : left_open(list)) {
+    for (std::size_t k = 0; k < std::min(kMost, list.closures.size()); ++k) {
+      if (list.closures[k].smallest_singular_value > accuracy / kReachesFar) continue;
+      const Eigen::VectorXd values = list.closures[k].values;
+      const int weak = weak_directions(list, values, accuracy);
+      for (const double fine : kFiner) {
+        if (weak < 2 || dimension_told(list, values) >= weak) break;
+        add_branches(list, values, weak, fine * accuracy);
+      }
+    }
+  }
 }
 
 }  // namespace moivre

@@ -52,6 +52,10 @@ PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far)
 /// Where Newton's method led to already.
 PostureEntry enter(PostureList& list, const Polished& polished);
 
+/// Closures where the digits leave more directions open than the told sets through them go along:
+/// sets cross there, and the others are followed, too.
+void follow_branches(PostureList& list);
+
 /// The place between two closures that are not real by so little that the pose is held within its
 /// accuracy: a closure, where both meet.
 void enter_meeting(PostureList& list, const Eigen::VectorXd& place);

@@ -25,7 +25,8 @@ constexpr double kMayStand = 0.02;
 /// A set of one dimension has at most so many samples to each side, one of more dimensions so many
 /// ways of so many steps.
 constexpr int kMostSteps = 400;
-constexpr int kWays = 12, kStepsOfAWay = 25, kStepsAlong = 100;
+constexpr std::uint64_t kWays = 12;
+constexpr int kStepsOfAWay = 25, kStepsAlong = 100;
 /// Of a probe: how near places of a curve are that tell its one direction.
 constexpr double kNearProbe = 0.1;
 /// Where random numbers of the first place, of one further on, and of ways begin.
@@ -273,10 +274,8 @@ void trace_surface(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin
   for (Index k = 0; k < begin.ways.cols(); ++k) {
     for (const double sign : {-1.0, 1.0}) go(sign * begin.ways.col(k), kStepsAlong);
   }
-  for (int way = 0; way < kWays; ++way) {
-    go(random_unit_vector(begin.ways, seed,
-                          kThirdStream + static_cast<std::uint64_t>(way * kMostJoints)),
-       kStepsOfAWay);
+  for (std::uint64_t way = 0; way < kWays; ++way) {
+    go(random_unit_vector(begin.ways, seed, kThirdStream + way * kMostJoints), kStepsOfAWay);
   }
   if (motion.misfit > kReach) traced.near_closures = motion.samples;
 }
@@ -369,6 +368,32 @@ std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose
     traced = trace_at_size(arm, pose, from, size * accuracy, size, seed);
   }
   return traced;
+}
+
+std::vector<TracedSet> trace_branches(const Arm& arm, const Eigen::Isometry3d& pose,
+                                      const VectorXd& crossing, int weak, double accuracy,
+                                      std::uint64_t seed) {
+  constexpr int kSteps = 8;
+  const SetPlace place = place_at(arm, pose, crossing);
+  const MatrixXd directions = stretch_of(place).V.rightCols(weak);
+  std::vector<TracedSet> branches;
+  for (std::uint64_t way = 0; way < kWays; ++way) {
+    const VectorXd direction =
+        random_unit_vector(directions, seed, kThirdStream + way * kMostJoints);
+    const Way gone = follow(arm, pose, place, direction, 1, kSteps, accuracy, kStep);
+    if (gone.places.empty()) continue;
+    const VectorXd& there = gone.places.back().values;
+    if (apart(arm, there, crossing) < kShortestCurve * kProbe) continue;
+    const bool is_known =
+        std::any_of(branches.begin(), branches.end(), [&](const TracedSet& branch) {
+          return is_on(arm, branch.motion, there, kNearProbe * kProbe);
+        });
+    if (is_known) continue;
+    if (auto branch = trace_set(arm, pose, there, accuracy, seed)) {
+      branches.push_back(std::move(*branch));
+    }
+  }
+  return branches;
 }
 
 }  // namespace moivre

@@ -35,4 +35,11 @@ std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose
                                    const Eigen::VectorXd& from, double accuracy,
                                    std::uint64_t seed);
 
+/// Where sets cross that are open within the accuracy the tip can move little along `weak`
+/// directions and more: the sets that go on along some of them, from a place that is clearly on
+/// one.
+std::vector<TracedSet> trace_branches(const Arm& arm, const Eigen::Isometry3d& pose,
+                                      const Eigen::VectorXd& crossing, int weak, double accuracy,
+                                      std::uint64_t seed);
+
 }  // namespace moivre
