@@ -201,23 +201,24 @@ int weak_directions(const PostureList& list, const Eigen::VectorXd& values, doub
   return static_cast<int>((sigma.array() <= accuracy / kReachesFar).count());
 }
 
-/// The sets that cross there.
-void add_branches(PostureList& list, const Eigen::VectorXd& crossing, int weak, double accuracy) {
-  for (TracedSet& branch :
-       trace_branches(list.arm, list.pose, crossing, weak, accuracy, list.seed)) {
-    if (set_of(list, branch.motion.values, is_any)) continue;
-    const bool is_within_digits = branch.motion.misfit > list.accuracy;
-    add(list, std::move(branch), is_within_digits);
-  }
-}
-
-/// The largest of the sets that are told through the posture.
-int dimension_told(const PostureList& list, const Eigen::VectorXd& values) {
+/// The largest of the sets through the posture that are told to be open within the accuracy.
+int dimension_told(const PostureList& list, const Eigen::VectorXd& values, double accuracy) {
   int largest = 0;
   for (const SelfMotion& set : list.moves) {
-    if (set.dimension > largest && is_on(list.arm, set, values, kOnSet)) largest = set.dimension;
+    const bool is_more = set.misfit <= accuracy && set.dimension > largest;
+    if (is_more && is_on(list.arm, set, values, kOnSet)) largest = set.dimension;
   }
   return largest;
+}
+
+/// The sets through the posture, where as many directions are open as `weak`.
+std::vector<TracedSet> sets_through(const PostureList& list, const Eigen::VectorXd& values,
+                                    int weak, double accuracy) {
+  if (weak > 1) return trace_branches(list.arm, list.pose, values, weak, accuracy, list.seed);
+  std::vector<TracedSet> sets;
+  auto traced = trace_set(list.arm, list.pose, values, accuracy, list.seed);
+  if (traced) sets.push_back(std::move(*traced));
+  return sets;
 }
 
 }  // namespace
@@ -310,16 +311,19 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
 
 void follow_branches(PostureList& list) {
   constexpr std::size_t kMost = 64;
-  // What the digits leave open lets places drift aside from a set that is open within much less.
   constexpr double kFiner[] = {1, 0.1, 0.01};
-  for (const double accuracy : left_open(list)) {
+  for (const double widest : left_open(list)) {
     for (std::size_t k = 0; k < std::min(kMost, list.closures.size()); ++k) {
-      if (list.closures[k].smallest_singular_value > accuracy / kReachesFar) continue;
+      if (list.closures[k].smallest_singular_value > widest / kReachesFar) continue;
       const Eigen::VectorXd values = list.closures[k].values;
-      const int weak = weak_directions(list, values, accuracy);
       for (const double fine : kFiner) {
-        if (weak < 2 || dimension_told(list, values) >= weak) break;
-        add_branches(list, values, weak, fine * accuracy);
+        const double accuracy = fine * widest;
+        const int weak = weak_directions(list, values, accuracy);
+        if (weak <= dimension_told(list, values, accuracy)) continue;
+        for (TracedSet& set : sets_through(list, values, weak, accuracy)) {
+          const bool is_within_digits = set.motion.misfit > list.accuracy;
+          add(list, std::move(set), is_within_digits);
+        }
       }
     }
   }
