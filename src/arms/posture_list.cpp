@@ -283,7 +283,8 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
   constexpr std::size_t kSix = 6;
   const bool has_six = list.arm.joints.size() >= kSix;
   if (!(polished.residual <= (has_six ? kRounding : by_digits(list)))) {
-    if (polished.residual <= list.accuracy) list.places.push_back(polished.values);
+    const bool is_place = polished.residual <= list.accuracy && list.follows_digits;
+    if (is_place) list.places.push_back(polished.values);
     if (has_six) follow_digits(list, polished);
     return entry;
   }

@@ -26,7 +26,7 @@ struct PostureList {
   std::vector<SelfMotion> moves;
   std::optional<NearestPosture> nearest;  ///< of all starts
   /// Places that hold the pose within its accuracy, but not to rounding as postures of six joints
-  /// do: of a set, or next to a closure.
+  /// do: of a set that is not told yet, or next to a closure.
   std::vector<Eigen::VectorXd> places;
   /// Not from closures that such a set has led to: they are on it, and a surface has a curve
   /// through each.

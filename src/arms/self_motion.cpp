@@ -260,6 +260,18 @@ void trace_curve(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& 
   traced.near_closures = near_closures(arm, pose, places, accuracy);
 }
 
+/// Of the places those that are no nearer to each other than this.
+std::vector<VectorXd> spread(const Arm& arm, const std::vector<VectorXd>& places, double distance) {
+  std::vector<VectorXd> taken;
+  for (const VectorXd& place : places) {
+    const bool is_near = std::any_of(taken.begin(), taken.end(), [&](const VectorXd& other) {
+      return apart(arm, place, other) < distance;
+    });
+    if (!is_near) taken.push_back(place);
+  }
+  return taken;
+}
+
 /// To both sides along each of its directions, and along random ones. Where closures of the arm are
 /// on a surface that is open within an accuracy, nothing tells but Newton's method, from everywhere.
 void trace_surface(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
@@ -277,7 +289,7 @@ void trace_surface(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin
   for (std::uint64_t way = 0; way < kWays; ++way) {
     go(random_unit_vector(begin.ways, seed, kThirdStream + way * kMostJoints), kStepsOfAWay);
   }
-  if (motion.misfit > kReach) traced.near_closures = motion.samples;
+  if (motion.misfit > kReach) traced.near_closures = spread(arm, motion.samples, 4 * step);
 }
 
 double reach_of(const Arm& arm, const std::vector<VectorXd>& samples) {
