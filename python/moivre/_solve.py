@@ -307,8 +307,9 @@ def solve(equations, *, variables=None, real=None, positive=None, nonzero=None, 
     ----------
     equations : text, path, or list
         A text in PHCpack's or Bertini's form ("x^2 - 4; x*y - 1"), a path to such a file, a list of texts, a list of sympy's
-        expressions (each is to be 0, or an Eq), or a list of (coefficients, exponents): numbers, and whole numbers of shape
-        (terms, unknowns). Among texts and expressions may stand conditions, as in `where`. int, Fraction, Decimal and sympy's Rational stay exact; a float is the double that it is.
+        expressions (each is to be 0, or an Eq, a Poly, a matrix of these), or a list of (coefficients, exponents): numbers, and
+        whole numbers of shape (terms, unknowns). Among texts and expressions may stand conditions, as in `where`. int, Fraction,
+        Decimal and sympy's Rational stay exact; a float is the double that it is; sqrt(2), pi and the like are taken with 40 digits.
     variables : list of str or symbols, optional
         The unknowns in their order. Default: a text's in the order of their first appearance, sympy's by name.
     real, positive, nonzero : bool, optional
@@ -329,7 +330,7 @@ def solve(equations, *, variables=None, real=None, positive=None, nonzero=None, 
     seed : int, optional
         Of the random numbers. The same seed gives the same roots in the same order.
     threads : int, optional
-        Default: as many as the machine has.
+        Default: 0, as many as the machine has.
     time_limit : float, optional
         Seconds, after which the run ends with what is finished; `complete` is False then.
     slice : bool, optional

@@ -10,12 +10,16 @@ import re
 import sys
 
 from . import _moivre
+from ._errors import ParseError
 
 TEXT = "equations"
 _FORMS = "equations are a text, a path, a list of texts, a list of sympy's expressions, or a list of (coefficients, exponents)"
 # One word with an ending, as "katsura.phc": no equation looks like it.
 _PATH = re.compile(r"[^;*+^=()\n]*\.[A-Za-z]\w*")
 
+# A name of a text, and those that mean something else there.
+_PLAIN = re.compile(r"[A-Za-z]\w*", re.ASCII)
+_MEANT = ("i", "I", "pi")
 _BEHIND = re.compile(r"^\s*(END|TITLE|THE SOLUTIONS)\b", re.MULTILINE)
 
 
@@ -53,13 +57,16 @@ def _exact(number, what):
 
 
 def _exact_sympy(number, what):
-    parts = []
-    for part in number.as_real_imag():
-        if not part.is_Rational:
-            raise ValueError(f"{what}: the coefficient {number} is neither rational nor a float; give it as a float "
-                             "(.evalf()), the equations as text, or it as an unknown with an equation of its own")
-        parts.append(f"{part.p}/{part.q}")
-    return tuple(parts), True
+    parts = _rational_parts(number)
+    if parts is None:
+        raise ValueError(f"{what}: {number} is neither rational nor a float; give it as a float (.evalf())")
+    return parts, True
+
+
+def _rational_parts(number):
+    """Real and imaginary part of a number of sympy as "p/q"; None where they are no rationals."""
+    parts = number.as_real_imag()
+    return tuple(f"{part.p}/{part.q}" for part in parts) if all(part.is_Rational for part in parts) else None
 
 
 def _natural(symbol):
@@ -67,26 +74,63 @@ def _natural(symbol):
     return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", str(symbol))]
 
 
-def _polynomial_terms(expression, symbols, what):
-    """(coefficients, exponents) of an expression of sympy in which every number is rational."""
+def _polynomial_terms(expression, symbols):
+    """(coefficients, exponents) of a polynomial with rational coefficients; None of any other expression."""
     import sympy
     try:
-        polynomial = sympy.Poly(expression, *symbols)
+        terms = [(c, monomial) for monomial, c in sympy.Poly(expression, *symbols).terms() if c != 0]
     except sympy.PolynomialError:
-        hint = "; a text may divide by unknowns" if expression.is_rational_function(*symbols) else ""
-        raise ValueError(f"{what}: {expression} is no polynomial in {', '.join(map(str, symbols))}{hint}") from None
-    stray = polynomial.free_symbols_in_domain
-    if stray:
-        raise ValueError(f"{what}: {', '.join(sorted(map(str, stray)))} is neither an unknown nor a parameter")
-    terms = [(coefficient, monomial) for monomial, coefficient in polynomial.terms() if coefficient != 0]
-    coefficients = [_exact(coefficient, what)[0] for coefficient, _ in terms]
-    return coefficients, [monomial for _, monomial in terms]
+        return None
+    coefficients = [_rational_parts(c) for c, _ in terms]
+    return None if None in coefficients else (coefficients, [monomial for _, monomial in terms])
+
+
+def _typed_name(name, taken):
+    """A name that a text can hold and that means nothing else there: the symbol's own where it can be."""
+    if _PLAIN.fullmatch(name) and name not in _MEANT:
+        return name
+    k = 1
+    while f"s{k}" in taken:
+        k += 1
+    taken.add(f"s{k}")
+    return f"s{k}"
+
+
+def _typed(expression, names=None):
+    """An expression as a text, with these names for its symbols."""
+    import sympy
+    from sympy.printing.str import StrPrinter
+
+    class Typist(StrPrinter):
+        def _print_Exp1(self, _):
+            return "exp(1)"
+
+        def _print_Symbol(self, symbol):
+            return (names or {}).get(symbol, symbol.name)
+
+    # What sympy has a closed form of: the golden ratio, gamma(3).
+    closed = expression.xreplace({x: x.expand(func=True) for x in expression.atoms(sympy.NumberSymbol)})
+    return Typist().doprint(closed)
+
+
+def _of_typed(expressions, symbols, is_exact):
+    """The system as the reader of texts takes it: denominators, sqrt(2), pi."""
+    taken = {str(s) for s in symbols}
+    names = {s: _typed_name(str(s), taken) for s in symbols}
+    texts = [_typed(expression, names) for expression in expressions]
+    try:
+        # Behind a number no name is the heading of a file.
+        system = _moivre.system_of_text(TEXT, "".join(f"0 + {text};\n" for text in texts))
+    except ParseError as refusal:
+        raise ValueError("; ".join(f"equation {line}: {expressions[line - 1]}: {fault}"
+                                   for line, _, fault in refusal.faults)) from None
+    return system.in_unknowns([(names[s], str(s)) for s in symbols], is_exact)
 
 
 def _condition_text(relation):
     """A relation of sympy, x*y > 2, as text: both sides as they are, numbers with all their digits."""
     import sympy
-    sides = [sympy.sstr(side.xreplace({x: sympy.Rational(x) for x in side.atoms(sympy.Float)})) for side in relation.args]
+    sides = [_typed(side.xreplace({x: sympy.Rational(x) for x in side.atoms(sympy.Float)})) for side in relation.args]
     return f"{sides[0]} {relation.rel_op} {sides[1]}"
 
 
@@ -111,27 +155,48 @@ def _of_sympy(equations, variables, parameters):
     return _moivre.with_conditions(system, [_condition_text(e) for e in equations if _is_inequality(e)])
 
 
+def _entries(matrix):
+    """Of a matrix of sympy, one by one."""
+    return list(matrix.as_explicit() if hasattr(matrix, "as_explicit") else matrix)
+
+
+def _sides(equation, what):
+    """What is to be zero, as expressions: an Eq has its difference, a matrix each of its entries."""
+    import sympy
+    if isinstance(equation, str):
+        raise ValueError(f"{what}: a text among sympy's expressions; give all as text or all as expressions")
+    given = sympy.sympify(equation)
+    if isinstance(given, sympy.logic.boolalg.BooleanAtom):
+        raise ValueError(f"{what}: {given} is no equation: == compares at once, and so does Eq of two numbers; give the difference "
+                         "of both sides, which is to be zero")
+    if isinstance(given, sympy.Equality):
+        given = given.lhs - given.rhs
+    if isinstance(given, sympy.Poly):
+        given = given.as_expr()
+    if getattr(given, "is_Matrix", False):
+        return [side for entry in _entries(given) for side in _sides(entry, what)]
+    if not isinstance(given, sympy.Expr) or given.has(sympy.nan, sympy.oo, -sympy.oo, sympy.zoo):
+        raise ValueError(f"{what}: {equation} is no expression with finite numbers")
+    return [given]
+
+
 def _of_expressions(equations, variables, parameters):
     import sympy
-    expressions = []
-    is_exact = True
-    for k, equation in enumerate(equations):
-        if isinstance(equation, str):
-            raise ValueError(f"equation {k + 1}: a text among sympy's expressions; give all as text or all as expressions")
-        expression = sympy.sympify(equation)
-        if isinstance(expression, sympy.Equality):
-            expression = expression.lhs - expression.rhs
-        if not isinstance(expression, sympy.Expr) or expression.has(sympy.nan, sympy.oo, -sympy.oo, sympy.zoo):
-            raise ValueError(f"equation {k + 1}: {equation} is no expression with finite numbers")
-        floats = expression.atoms(sympy.Float)
-        is_exact = is_exact and not floats
-        # Beside a float sympy would round every other number.
-        expressions.append(expression.xreplace({x: sympy.Rational(x) for x in floats}))
+    given = [side for k, equation in enumerate(equations) for side in _sides(equation, f"equation {k + 1}")]
+    floats = set().union(*(side.atoms(sympy.Float) for side in given)) if given else set()
+    # Beside a float sympy would round every other number.
+    expressions = [side.xreplace({x: sympy.Rational(x) for x in floats}) for side in given]
     symbols = _symbols(expressions, variables, parameters)
     if not symbols:
         raise ValueError("the equations have no unknown")
-    terms = [_polynomial_terms(expression, symbols, f"equation {k + 1}") for k, expression in enumerate(expressions)]
-    return _moivre.system_of_terms([str(s) for s in symbols], _shaped(terms, len(symbols)), is_exact)
+    for k, expression in enumerate(expressions):
+        stray = sorted(map(str, expression.free_symbols - set(symbols)))
+        if stray:
+            raise ValueError(f"equation {k + 1}: {', '.join(stray)} is neither an unknown nor a parameter")
+    terms = [_polynomial_terms(expression, symbols) for expression in expressions]
+    if None in terms:
+        return _of_typed(expressions, symbols, not floats)
+    return _moivre.system_of_terms([str(s) for s in symbols], _shaped(terms, len(symbols)), not floats)
 
 
 def _symbols(expressions, variables, parameters):
@@ -201,6 +266,8 @@ def to_system(equations, variables=None, parameters=()):
         return _moivre.system_of_file(path), path
     if isinstance(equations, str):
         return _in_order(_of_text(equations), variables), TEXT
+    if getattr(equations, "is_Matrix", False):
+        equations = _entries(equations)
     if _is_sympy(equations) and not hasattr(equations, "__iter__"):
         equations = [equations]
     if isinstance(equations, (dict, set)):
@@ -208,11 +275,13 @@ def to_system(equations, variables=None, parameters=()):
     if not hasattr(equations, "__iter__"):
         raise ValueError(f"{equations!r} is no system: {_FORMS}")
     equations = list(equations)
-    if equations and all(isinstance(e, str) for e in equations):
+    if not equations:
+        raise ValueError(f"there is no equation: {_FORMS}")
+    if all(isinstance(e, str) for e in equations):
         return _in_order(_of_text("".join(e.strip().rstrip(";") + ";\n" for e in equations)), variables), TEXT
-    if any(_is_sympy(e) for e in equations):
+    if any(_is_sympy(e) or getattr(e, "is_Matrix", False) for e in equations):
         return _of_sympy(equations, variables, parameters), TEXT
-    if equations and all(isinstance(e, (tuple, list)) and len(e) == 2 for e in equations):
+    if all(isinstance(e, (tuple, list)) and len(e) == 2 for e in equations):
         return _of_arrays(equations, variables), TEXT
     raise ValueError(_FORMS)
 

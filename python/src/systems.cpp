@@ -109,6 +109,23 @@ Polynomial renumbered(Polynomial p, const std::vector<std::uint32_t>& place) {
   return to_polynomial(std::move(terms));
 }
 
+/// The same system with unknowns of these names: old number k is place[k] now.
+System renumbered(System system, std::vector<std::string> names,
+                  const std::vector<std::uint32_t>& place) {
+  system.variables = std::move(names);
+  for (auto* list : {&system.polynomials, &system.denominators, &system.nudged}) {
+    for (Polynomial& p : *list) p = renumbered(std::move(p), place);
+  }
+  for (Condition& condition : system.conditions) {
+    condition.p = renumbered(std::move(condition.p), place);
+  }
+  for (VariableGroup& group : system.groups) {
+    for (std::uint32_t& variable : group.variables) variable = place[variable];
+    std::sort(group.variables.begin(), group.variables.end());
+  }
+  return system;
+}
+
 /// The same system with its unknowns in another order.
 System in_order(const System& system, const std::vector<std::string>& names) {
   const std::size_t n = system.variables.size();
@@ -129,18 +146,28 @@ System in_order(const System& system, const std::vector<std::string>& names) {
     throw std::invalid_argument("variables: the unknown " +
                                 system.variables[static_cast<std::size_t>(left)] + " is not named");
   }
-  System result = system;
-  result.variables = names;
-  for (Polynomial& p : result.polynomials) p = renumbered(std::move(p), place);
-  for (Polynomial& p : result.denominators) p = renumbered(std::move(p), place);
-  for (Condition& condition : result.conditions) {
-    condition.p = renumbered(std::move(condition.p), place);
+  return renumbered(system, names, place);
+}
+
+/// A text's system in the unknowns that it was typed for, (name in the text, name) each; the text
+/// need not have all of them. Its numbers are exact where the typist's were.
+System in_unknowns(const System& typed,
+                   const std::vector<std::pair<std::string, std::string>>& unknowns,
+                   bool is_exact) {
+  std::vector<std::string> names;
+  std::vector<std::uint32_t> place(typed.variables.size());
+  for (const auto& [in_text, name] : unknowns) {
+    const auto at = std::find(typed.variables.begin(), typed.variables.end(), in_text);
+    if (at != typed.variables.end()) {
+      place[static_cast<std::size_t>(at - typed.variables.begin())] =
+          static_cast<std::uint32_t>(names.size());
+    }
+    names.push_back(name);
   }
-  for (VariableGroup& group : result.groups) {
-    for (std::uint32_t& variable : group.variables) variable = place[variable];
-    std::sort(group.variables.begin(), group.variables.end());
-  }
-  return result;
+  System system = renumbered(typed, std::move(names), place);
+  system.is_exact = system.is_exact && is_exact;
+  require_unbroken(broken_rules(system));
+  return system;
 }
 
 /// All that its roots depend on, for comparison.
@@ -403,6 +430,7 @@ void bind_systems(py::module_& module) {
       .def_readonly("variables", &System::variables)
       .def_property_readonly("equations", [](const System& f) { return f.polynomials.size(); })
       .def("in_order", &in_order)
+      .def("in_unknowns", &in_unknowns)
       .def("content", &content_of)
       .def("text", [](const System& f) { return to_text(f, PolynomialFormat::phcpack); });
   module.def("system_of_text", [](const std::string& name, const std::string& text) {
