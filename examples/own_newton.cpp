@@ -15,7 +15,8 @@ int main() {
                                 return Eigen::Vector2d(std::sin(q[0]) - q[0] * q[0] / 4 - q[1],
                                                        q[0] * q[1] - 0.5);
                               },
-                              {}};
+                              {},
+                              2};
   const auto tracker = moivre::make_cvode_tracker();
   const moivre::SolveResult result = moivre::solve(model, *tracker);
   for (const moivre::InitialGuess& guess : moivre::initial_guesses(result).guesses) {

@@ -72,6 +72,11 @@ void require_usable(const OwnFunction& f, const VectorXd& guess, const OwnNewton
   if (!f.value) broken.emplace_back("there is no function");
   if (guess.size() == 0) broken.emplace_back("the guess is empty");
   if (!guess.allFinite()) broken.emplace_back("the guess must be finite");
+  if (f.unknowns < 0) broken.emplace_back("the number of unknowns must be 0 or more");
+  if (f.unknowns > 0 && guess.size() > 0 && guess.size() != f.unknowns) {
+    broken.push_back("the guess has " + counted(guess.size(), "entry", "entries") +
+                     ", the function has " + counted(f.unknowns, "unknown"));
+  }
   if (!(options.residual_tolerance > 0) || !std::isfinite(options.residual_tolerance)) {
     broken.emplace_back("residual_tolerance must be finite and positive");
   }

@@ -149,6 +149,28 @@ TEST(Surface, NewtonFindsAZeroOfOnesOwnFunction) {
                  "must be 1 x 1, not 2 x 3");
 }
 
+TEST(Surface, AGuessThatIsNoPlaceOfAnOwnFunctionIsRefused) {
+  int calls = 0;
+  const OwnFunction f{[&](const Eigen::VectorXd& q) -> Eigen::VectorXd {
+                        ++calls;
+                        return Eigen::Vector2d(std::cos(q[0]) - q[1], q[0] - q[1]);
+                      },
+                      {},
+                      2};
+  EXPECT_EQ(newton(f, Eigen::Vector2d(1, 1)).status, NewtonStatus::converged);
+  calls = 0;
+  expect_refused([&] { return newton(f, Eigen::VectorXd::Ones(1)); },
+                 "the guess has 1 entry, the function has 2 unknowns");
+  expect_refused([&] { return newton(f, Eigen::VectorXd::Ones(3)); },
+                 "the guess has 3 entries, the function has 2 unknowns");
+  expect_refused(
+      [&] {
+        return newton(OwnFunction{f.value, {}, -1}, Eigen::Vector2d(1, 1));
+      },
+      "the number of unknowns must be 0 or more");
+  EXPECT_EQ(calls, 0) << "it would read behind the guess";
+}
+
 TEST(Surface, WhatAnOwnFunctionThrowsComesToTheCaller) {
   const OwnFunction f{[](const Eigen::VectorXd&) -> Eigen::VectorXd { throw 7; }, {}};
   EXPECT_THROW(newton(f, Eigen::VectorXd::Constant(1, 1)), int);

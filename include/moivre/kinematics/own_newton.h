@@ -21,6 +21,9 @@ namespace moivre {
 struct OwnFunction {
   std::function<Eigen::VectorXd(const Eigen::VectorXd&)> value;     ///< f, m
   std::function<Eigen::MatrixXd(const Eigen::VectorXd&)> jacobian;  ///< J, m x n; may be empty
+  /// n, which a guess must have: f itself cannot tell, and reads behind the end of one that is too
+  /// short. 0: as many as the guess has.
+  Eigen::Index unknowns = 0;
 };
 
 struct OwnNewtonOptions {
@@ -28,8 +31,9 @@ struct OwnNewtonOptions {
   int maximum_iterations = 50;
 };
 
-/// Throws InvalidInput, with every broken rule, where there is no f, the guess is empty or not
-/// finite, f or J has a size of its own at some q, or an option makes no sense.
+/// Throws InvalidInput, with every broken rule, where there is no f, the guess is empty, not finite
+/// or has not f.unknowns entries, f or J has a size of its own at some q, or an option makes no
+/// sense.
 NewtonResult newton(const OwnFunction& f, const Eigen::VectorXd& guess,
                     const OwnNewtonOptions& options = {});
 
