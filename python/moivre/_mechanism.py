@@ -541,8 +541,9 @@ class Newton:
         "converged", "diverged", "cycling", "singular", "no_solution" or "iteration_limit".
     message : str
     q : ndarray of float, shape (n,)
+        Where it ended; angles in (-pi, pi], as those of closures.
     iterates : ndarray of float, shape (iterations + 1, n)
-        The guess first.
+        The guess first, angles as the run has them: a long step turns a body more than once.
     residuals : ndarray of float, shape (iterations + 1,)
         The largest constraint's.
     rank : int

@@ -456,7 +456,8 @@ py::dict found_newton(const Shared& of, const py::dict& choice) {
   dict["converged"] = found.status == NewtonStatus::converged;
   dict["status"] = to_string(found.status);
   dict["message"] = found.message;
-  dict["q"] = found.q;
+  // A run may go round and round; the pose is that of closures.
+  dict["q"] = found.q.allFinite() ? phi.canonical(found.q) : found.q;
   dict["iterates"] = rows<double>(
       found.iterations, n, [](const NewtonIteration& k) -> const Eigen::VectorXd& { return k.q; });
   dict["residuals"] =

@@ -72,6 +72,14 @@ def test_an_unknown_key_is_named_with_its_neighbour():
         moivre.Mechanism({**DICT, "jiont": []})
 
 
+def test_newton_ends_with_angles_as_closures_have_them(four_bar):
+    run = moivre.Mechanism(four_bar).newton(guess={"coupler.phi": 2100})
+    assert run.converged and np.abs(run.iterates[:, 5]).max() > 30
+    closures = moivre.Mechanism(four_bar).closures().q
+    assert np.abs(closures - run.q).max(axis=1).min() < 1e-9
+    assert json.loads(run.to_json())["coordinates"]["coupler.phi"] == run.q[5]
+
+
 def test_a_faulty_file_has_line_and_caret(tmp_path):
     file = tmp_path / "faulty.toml"
     file.write_text('[ground.points]\nA = [0, "zero"]\n')

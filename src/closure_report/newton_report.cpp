@@ -64,6 +64,11 @@ Json iteration_json(const NewtonIteration& iteration) {
           {"method", to_string(iteration.method)}};
 }
 
+/// Where the run ended, as a closure is told: it may have gone round and round.
+Eigen::VectorXd end_of(const NewtonResult& result, const Mechanism& mechanism) {
+  return result.q.allFinite() ? Phi(mechanism).canonical(result.q) : result.q;
+}
+
 }  // namespace
 
 std::string newton_text(const NewtonResult& result, const Mechanism& mechanism,
@@ -80,7 +85,7 @@ std::string newton_text(const NewtonResult& result, const Mechanism& mechanism,
           (unit.empty() ? "" : " " + unit) + ", smallest singular value " +
           rough_text(result.smallest_singular_value) + ", condition " +
           rough_text(result.condition) + (result.is_singular ? ", singular" : "") + '\n';
-  return text + pose_text(mechanism, result.q);
+  return text + pose_text(mechanism, end_of(result, mechanism));
 }
 
 std::string newton_json(const NewtonResult& result, const Mechanism& mechanism,
@@ -92,7 +97,7 @@ std::string newton_json(const NewtonResult& result, const Mechanism& mechanism,
   report["status"] = to_string(result.status);
   report["message"] = result.message;
   report["steps"] = result.steps();
-  report["coordinates"] = coordinates_json(mechanism, result.q);
+  report["coordinates"] = coordinates_json(mechanism, end_of(result, mechanism));
   report["residual"] = to_json(result.residual);
   report["scaled_residual"] = to_json(result.scaled_residual);
   report["misfit"] = to_json(misfit(Phi(mechanism), result.q, heading.time));
