@@ -22,7 +22,7 @@ int main() {
   const moivre::ClosureResult result = moivre::find_closures(mechanism, *tracker);
   std::cout << result.closures.size() << " closures, " << to_string(*result.completeness) << '\n';
   for (const moivre::Closure& closure : result.closures) {
-    const Eigen::Vector3d c = moivre::point_position(mechanism, {2, 1}, closure.q);
+    const Eigen::Vector3d c = moivre::point_position(mechanism, "coupler.C", closure.q);
     std::cout << closure.id << ": C = (" << c.x() << ", " << c.y() << ")\n";
   }
 }

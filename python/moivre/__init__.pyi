@@ -303,6 +303,7 @@ class Mechanism:
     @classmethod
     def from_robot(cls, path: _Path, *, loops: Optional[_Path] = ..., hold: Optional[Mapping[str, float]] = ...,
                    tip: Optional[str] = ..., pose: Optional[npt.ArrayLike] = ...) -> Mechanism: ...
+    def point_position(self, point: str, q: npt.ArrayLike) -> _Floats: ...
     def closures(self, *, at: Optional[float] = ..., fit: Optional[float] = ..., meshings: Optional[bool] = ...,
                  tolerance: Optional[float] = ..., tracker: Optional[_Tracker] = ..., start: Optional[_Start] = ...,
                  seed: Optional[int] = ..., threads: Optional[int] = ..., time_limit: Optional[float] = ...,

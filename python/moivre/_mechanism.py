@@ -676,6 +676,35 @@ class Mechanism:
         made._take(make(path if is_text else os.fspath(path), tip, held, pose, None if loops is None else os.fspath(loops)))
         return made
 
+    def point_position(self, point, q):
+        """Where a point is, in the ground's frame.
+
+        Parameters
+        ----------
+        point : str
+            "coupler.P", or "ground.A".
+        q : array_like of float, shape (n,) or (k, n)
+            In the order of `coordinates`: of a closure, a branch, a Newton run.
+
+        Returns
+        -------
+        ndarray of float, shape (2,) or (k, 2); of a spatial mechanism (3,) or (k, 3)
+
+        Examples
+        --------
+        >>> import moivre
+        >>> m = moivre.Mechanism("problems/mechanisms/four-bar.toml")
+        >>> m.point_position("crank.A", m.closures()[0].q).round(3)
+        array([30.642, 25.712])
+        >>> m.point_position("coupler.P", m.motion(steps=8).branches[0].q).shape
+        (9, 2)
+        """
+        q = np.asarray(q, dtype=float)
+        if q.ndim not in (1, 2) or q.shape[-1] != len(self.coordinates):
+            raise ValueError(f"q: an array of shape ({len(self.coordinates)},) or (k, {len(self.coordinates)}) is wanted, not {q.shape}")
+        places = self._core.point_position(str(point), np.atleast_2d(q))
+        return places[0] if q.ndim == 1 else places
+
     def closures(self, *, at=None, fit=None, meshings=None, tolerance=None, tracker=None, start=None, seed=None, threads=None,
                  time_limit=None, certify=None, tracker_options=None, progress=None):
         """Every way to assemble the mechanism.

@@ -196,6 +196,18 @@ py::array_t<double> points_at(const NamedMechanism& named, const Eigen::VectorXd
       states, 3, [](const PointState& state) -> const Eigen::Vector3d& { return state.position; });
 }
 
+/// q: (k, n); (k, 2) of a planar mechanism, (k, 3) of a spatial one.
+Eigen::MatrixXd positions_of(const NamedMechanism& named, const std::string& point,
+                             const Eigen::MatrixXd& q) {
+  const PointOf at = point_named(named.mechanism, point);
+  Eigen::MatrixXd positions(q.rows(), named.mechanism.space == Space::spatial ? 3 : 2);
+  for (Eigen::Index k = 0; k < q.rows(); ++k) {
+    positions.row(k) =
+        point_position(named.mechanism, at, q.row(k)).head(positions.cols()).transpose();
+  }
+  return positions;
+}
+
 py::dict closure_arrays(const FoundClosures& found) {
   const std::vector<Closure>& list = found.result.closures;
   const std::size_t n = coordinates(found.of->mechanism).size();
@@ -588,6 +600,7 @@ void bind_mechanisms(py::module_& module) {
           "dimensions",
           [](const NamedMechanism& named) { return dimension_names(named.mechanism); })
       .def("points_at", &points_at)
+      .def("point_position", &positions_of)
       .def("closures", [](const std::shared_ptr<NamedMechanism>& named, const py::dict& choice,
                           const py::object& progress) { return closures(named, choice, progress); })
       .def("motion", [](const std::shared_ptr<NamedMechanism>& named, const py::dict& choice,

@@ -72,6 +72,20 @@ def test_an_unknown_key_is_named_with_its_neighbour():
         moivre.Mechanism({**DICT, "jiont": []})
 
 
+def test_a_point_is_asked_for_by_its_name(four_bar):
+    m = moivre.Mechanism(four_bar)
+    c = m.closures()
+    for name, place in c[0].points.items():
+        assert np.allclose(m.point_position(name, c[0].q), place, atol=1e-12)
+    curve = m.point_position("coupler.P", m.motion(steps=8).branches[0].q)
+    assert curve.shape == (9, 2) and np.allclose(curve[0], c[0].points["coupler.P"])
+    assert m.point_position("coupler.P", c.q).shape == (2, 2)
+    with pytest.raises(ValueError, match="there is no point 'coupler.p'; did you mean 'coupler.P'"):
+        m.point_position("coupler.p", c[0].q)
+    with pytest.raises(ValueError, match=r"q: an array of shape \(9,\)"):
+        m.point_position("coupler.P", [0, 0, 0])
+
+
 def test_newton_ends_with_angles_as_closures_have_them(four_bar):
     run = moivre.Mechanism(four_bar).newton(guess={"coupler.phi": 2100})
     assert run.converged and np.abs(run.iterates[:, 5]).max() > 30

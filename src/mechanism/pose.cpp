@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "moivre/mechanism/nearest.h"
 #include "pose_jets.h"
 
 namespace moivre {
@@ -79,6 +80,18 @@ std::vector<PointState> point_states(const Mechanism& mechanism, const VectorXd&
 Vector3d point_position(const Mechanism& mechanism, const PointOf& point, const VectorXd& q) {
   const VectorXd rest = VectorXd::Zero(q.size());
   return point_state(mechanism, point, q, rest, rest).position;
+}
+
+PointOf point_named(const Mechanism& mechanism, const std::string& name) {
+  std::vector<std::string> known;
+  for (std::size_t body = 0; body < mechanism.bodies.size(); ++body) {
+    const std::vector<BodyPoint>& points = mechanism.bodies[body].points;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      known.push_back(mechanism.bodies[body].name + '.' + points[k].name);
+      if (known.back() == name) return {body, k};
+    }
+  }
+  throw InvalidInput("there is no point '" + name + "'" + suggestion(name, known));
 }
 
 Matrix3d orientation(const Mechanism& mechanism, std::size_t body, const VectorXd& q) {

@@ -10,6 +10,7 @@
 #include "moivre/family/parameter_homotopy.h"
 #include "moivre/kinematics/own_newton.h"
 #include "moivre/mechanism/builder.h"
+#include "moivre/mechanism/pose.h"
 #include "moivre/mechanism/read.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/urdf/read.h"
@@ -69,6 +70,18 @@ TEST(Surface, ABuilderSharesTheRulesOfTheReader) {
   for (const char* word : {"'revolte'", "revolute", "crank.psi", "crnk", "finite"}) {
     EXPECT_NE(refusal.find(word), std::string::npos) << word << " in " << refusal;
   }
+}
+
+TEST(Surface, APointIsAskedForByItsName) {
+  const Mechanism four_bar = built_four_bar().build();
+  const Eigen::VectorXd q = find_closures(four_bar, cvode()).closures.at(0).q;
+  EXPECT_EQ(point_position(four_bar, "coupler.C", q), point_position(four_bar, {2, 1}, q));
+  EXPECT_EQ(point_position(four_bar, std::string("ground.D"), q), Eigen::Vector3d(100, 0, 0));
+  expect_refused([&] { return point_named(four_bar, "coupler.D"); },
+                 "there is no point 'coupler.D'");
+  expect_refused([&] { return point_position(four_bar, "coupler.CC", q); },
+                 "did you mean 'coupler.C'?");
+  expect_refused([&] { return point_position(four_bar, "coupler.C", q.head(3)); }, "q ");
 }
 
 TEST(Surface, ABuilderWritesWordsThatNeedCare) {

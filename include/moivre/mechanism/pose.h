@@ -7,6 +7,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <concepts>
+#include <string>
 
 #include "moivre/mechanism/mechanism.h"
 
@@ -29,6 +31,17 @@ std::vector<PointState> point_states(const Mechanism& mechanism, const Eigen::Ve
 
 Eigen::Vector3d point_position(const Mechanism& mechanism, const PointOf& point,
                                const Eigen::VectorXd& q);
+
+/// The point "coupler.C", or "ground.A". Throws InvalidInput where there is none, with those that
+/// there are.
+PointOf point_named(const Mechanism& mechanism, const std::string& name);
+
+/// point_position(mechanism, "coupler.C", q)
+template <std::convertible_to<std::string> Name>
+Eigen::Vector3d point_position(const Mechanism& mechanism, const Name& name,
+                               const Eigen::VectorXd& q) {
+  return point_position(mechanism, point_named(mechanism, name), q);
+}
 
 /// R of a body: columns are its axes in the ground frame.
 Eigen::Matrix3d orientation(const Mechanism& mechanism, std::size_t body, const Eigen::VectorXd& q);
