@@ -623,7 +623,7 @@ class Mechanism:
 
     def __init__(self, source):
         if isinstance(source, dict):
-            self._take(_moivre.mechanism_of_text("mechanism", to_toml(source)))
+            self._take(_moivre.mechanism_in_code(to_toml(source)))
         else:
             self._take(_moivre.mechanism_of_file(os.fspath(source)))
 

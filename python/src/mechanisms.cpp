@@ -629,8 +629,9 @@ void bind_mechanisms(py::module_& module) {
          const std::optional<Eigen::Matrix4d>& pose, const std::optional<std::string>& loops) {
         return of_robot(read_source(path), tip, held, pose, loops);
       });
-  module.def("mechanism_of_text", [](const std::string& name, const std::string& text) {
-    return read({name, text});
+  module.def("mechanism_in_code", [](const std::string& text) {
+    return std::make_shared<NamedMechanism>(
+        NamedMechanism{"mechanism", read_mechanism_in_code(text)});
   });
   module.def("mechanism_of_file", [](const std::string& path) { return read(read_source(path)); });
   bind_closures(module);

@@ -68,8 +68,25 @@ def test_what_has_no_place_in_a_dictionary_is_named(value, words):
 
 
 def test_an_unknown_key_is_named_with_its_neighbour():
-    with pytest.raises(moivre.ParseError, match="joint"):
+    with pytest.raises(ValueError, match="^'jiont': unknown key 'jiont' .*joint"):
         moivre.Mechanism({**DICT, "jiont": []})
+
+
+@pytest.mark.parametrize("change, words", [
+    (lambda d: d["body"]["crank"]["points"].update(B=[1, 2, 3]), r"^body 'crank', point 'B': point 'crank.B' must be 2 numbers"),
+    (lambda d: d["joint"].append({"type": "revolte", "at": ["ground.A", "crank.A"]}),
+     r"^joint 5 \(revolte at \[ground.A, crank.A\]\), 'type': unknown joint type"),
+    (lambda d: d["joint"][1].update(limts=[0, 1]), r"^joint 2 \(revolute at \[.*\]\), 'limts': unknown key 'limts'"),
+    (lambda d: d["driver"][0].update(angle="crnk"), r"^driver 1, 'angle': there is no body 'crnk'; did you mean 'crank'"),
+    (lambda d: d["body"].update({"a b": {"points": {"A": [0, 0]}}}), r"^body 'a b'.*letters, digits"),
+    (lambda d: d.update(units={"length": "mm", "angle": "turns"}), r"^units, 'angle': "),
+])
+def test_a_fault_of_a_dictionary_is_told_by_what_it_is_in(change, words):
+    spec = json.loads(json.dumps(DICT))
+    change(spec)
+    with pytest.raises(ValueError, match=words) as caught:
+        moivre.Mechanism(spec)
+    assert not isinstance(caught.value, moivre.ParseError) and "^" not in str(caught.value)
 
 
 def test_a_point_is_asked_for_by_its_name(four_bar):

@@ -149,6 +149,6 @@ std::string MechanismBuilder::text() const {
          section("[guess]\n", guess_);
 }
 
-Mechanism MechanismBuilder::build() const { return read_mechanism({"mechanism in code", text()}); }
+Mechanism MechanismBuilder::build() const { return read_mechanism_in_code(text()); }
 
 }  // namespace moivre

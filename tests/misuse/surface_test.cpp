@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Does what is put together in code mean what the same text means: polynomials, mechanisms, own
 // starts, own functions, tables?
+#include <algorithm>
 #include <cmath>
 
 #include "moivre/arms/pose_table.h"
@@ -70,6 +71,50 @@ TEST(Surface, ABuilderSharesTheRulesOfTheReader) {
   for (const char* word : {"'revolte'", "revolute", "crank.psi", "crnk", "finite"}) {
     EXPECT_NE(refusal.find(word), std::string::npos) << word << " in " << refusal;
   }
+}
+
+/// The broken rules of what was built.
+std::vector<std::string> rules_broken_by(const MechanismBuilder& built) {
+  try {
+    (void)built.build();
+  } catch (const ParseError&) {
+    return {"a place in a text that nobody wrote"};
+  } catch (const InvalidInput& refusal) {
+    return refusal.broken_rules();
+  }
+  return {};
+}
+
+TEST(Surface, ABuilderTellsWhichBodyPointOrJointIsWrong) {
+  MechanismBuilder built = built_four_bar();
+  built.body("flag", {{"A", {0, 0}}, {"B", {1, 2, 3}}});
+  built.joint("revolte", {"ground.A", "crank.Z"});
+  built.joint("revolute", {"flag.A", "crank.Z"}, {{"limts", {0, 1}}});
+  built.driver("angle", "crnk", {{"start", 1}});
+  built.guess("crank.psi", 1);
+  const std::vector<std::string> rules = rules_broken_by(built);
+  const auto is_told = [&](const std::string& rule) {
+    return std::any_of(rules.begin(), rules.end(),
+                       [&](const std::string& each) { return each.starts_with(rule); });
+  };
+  for (const char* rule :
+       {"body 'flag', point 'B': point 'flag.B' must be 2 numbers",
+        "joint 5 (revolte at [ground.A, crank.Z]), 'type': unknown joint type 'revolte'",
+        "joint 6 (revolute at [flag.A, crank.Z]), 'at': body 'crank' has no point 'Z'",
+        "joint 6 (revolute at [flag.A, crank.Z]), 'limts': unknown key 'limts'",
+        "driver 2, 'angle': there is no body 'crnk'", "guess, 'crank.psi': "}) {
+    EXPECT_TRUE(is_told(rule)) << rule << " in " << ::testing::PrintToString(rules);
+  }
+  MechanismBuilder typed;
+  typed.unknowns({"phi"}, {"s"});
+  typed.equation("loop", "s - l*cos(phi");
+  const std::vector<std::string> of_typed = rules_broken_by(typed);
+  ASSERT_FALSE(of_typed.empty());
+  EXPECT_TRUE(of_typed[0].starts_with("equations, 'loop': ")) << of_typed[0];
+  MechanismBuilder twice = built_four_bar();
+  twice.body("crank", {{"A", {0, 0}}});
+  ASSERT_EQ(rules_broken_by(twice).size(), 1U);
+  EXPECT_TRUE(rules_broken_by(twice)[0].starts_with("body 'crank': ")) << rules_broken_by(twice)[0];
 }
 
 TEST(Surface, APointIsAskedForByItsName) {

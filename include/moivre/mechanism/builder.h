@@ -87,7 +87,7 @@ class MechanismBuilder {
 
   /// The mechanism file.
   std::string text() const;
-  /// Throws ParseError, an InvalidInput, with every broken rule and its line in text().
+  /// Throws InvalidInput with every broken rule and the body, point or joint that breaks it.
   Mechanism build() const;
 
  private:

@@ -15,4 +15,8 @@ namespace moivre {
 /// Throws ParseError with every fault.
 Mechanism read_mechanism(const Source& source);
 
+/// Of a text that a program wrote, a line for each key: faults are told by body, point, joint and
+/// key, not by lines that nobody has seen. Throws InvalidInput with every fault.
+Mechanism read_mechanism_in_code(const std::string& text);
+
 }  // namespace moivre
