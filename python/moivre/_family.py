@@ -9,7 +9,7 @@ import numpy as np
 from . import _moivre
 from ._kept import kept
 from ._progress import told
-from ._solve import Result, chosen, write
+from ._solve import Result, chosen, place, write
 from ._systems import TEXT, to_system
 
 
@@ -193,7 +193,7 @@ class Members:
 
     def of(self, member):
         """The roots of one member, shape (counts[member], unknowns)."""
-        member = range(len(self))[member]
+        member = place(self, member, "member")
         end = int(self.counts[:member + 1].sum())
         return self.points[end - int(self.counts[member]):end]
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from . import _moivre
 from ._progress import told
-from ._solve import chosen, in_degrees, write
+from ._solve import chosen, in_degrees, place, write
 from ._toml import to_toml
 
 
@@ -181,7 +181,7 @@ class Closures(_Reported):
             index = self.ids.index(index)
         if isinstance(index, slice):
             return [self[k] for k in range(*index.indices(len(self)))]
-        k = range(len(self))[index]
+        k = place(self, index, "closure")
         core = self._mechanism._core
         places = core.points_at(self.q[k])
         wide = 3 if core.is_spatial else 2
@@ -435,7 +435,9 @@ class Sensitivity(_Told):
         return len(self._closures)
 
     def __getitem__(self, index):
-        return self._closures[index]
+        if isinstance(index, slice):
+            return self._closures[index]
+        return self._closures[place(self, index, "closure")]
 
     def rate(self, quantity, dimension, closure=0):
         """d quantity / d dimension at one closure."""

@@ -26,6 +26,17 @@ def in_degrees(angles):
     return angles == "deg"
 
 
+def place(listed, index, what):
+    """The index from 0; one that is beyond is refused by what is listed."""
+    try:
+        return range(len(listed))[index]
+    except IndexError:
+        there = f"{len(listed)}, counted from 0" if len(listed) else "none"
+        raise IndexError(f"there is no {what} {index}: there are {there}") from None
+    except TypeError:
+        raise TypeError(f"a {what} is asked for by its number, not by {index!r}") from None
+
+
 def write(text, path):
     """Returns the text, or writes it to a file."""
     if path is None:
@@ -166,7 +177,7 @@ class Result:
     def __getitem__(self, index):
         if isinstance(index, slice):
             return [self[k] for k in range(*index.indices(len(self)))]
-        k = range(len(self))[index]
+        k = place(self, index, "root")
         return Root(self.points[k], tuple(self.variables), bool(self.real[k]), bool(self.singular[k]),
                     int(self.multiplicity[k]), float(self.accuracy[k]), float(self.residual[k]), float(self.condition[k]),
                     self.certified[k], self._on_boundary[k])

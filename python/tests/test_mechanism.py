@@ -111,6 +111,13 @@ def test_newton_ends_with_angles_as_closures_have_them(four_bar):
     assert json.loads(run.to_json())["coordinates"]["coupler.phi"] == run.q[5]
 
 
+def test_a_closure_that_is_not_there_is_refused_by_its_number(four_bar):
+    m = moivre.Mechanism(four_bar)
+    for ask in (lambda: m.closures()[2], lambda: m.sensitivity()[2], lambda: m.sensitivity().rate("coupler.P.y", "crank.A.x", 2)):
+        with pytest.raises(IndexError, match="there is no closure 2: there are 2, counted from 0"):
+            ask()
+
+
 def test_a_faulty_file_has_line_and_caret(tmp_path):
     file = tmp_path / "faulty.toml"
     file.write_text('[ground.points]\nA = [0, "zero"]\n')

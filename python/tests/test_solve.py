@@ -271,3 +271,20 @@ def test_what_is_no_system_is_refused_with_the_forms_of_one(what):
 
 def test_a_root_becomes_a_dictionary():
     assert dict(moivre.solve("x = 2; y = x + 1")[0]) == {"x": 2.0, "y": 3.0}
+
+
+def test_a_root_that_is_not_there_is_refused_by_its_number():
+    r = moivre.solve("x^2 - 2")
+    with pytest.raises(IndexError, match="there is no root 9: there are 2, counted from 0"):
+        r[9]
+    with pytest.raises(IndexError, match="there is no root 0: there are none"):
+        moivre.solve("x^2 - 2", box={"x": (5, 6)})[0]
+    with pytest.raises(TypeError, match="a root is asked for by its number, not by 'x'"):
+        r["x"]
+    assert r[-1]["x"] == r[1]["x"] and len(list(r)) == 2
+
+
+def test_no_threads_means_all_cores():
+    assert np.array_equal(moivre.solve("x^2 - 2", threads=0).points, moivre.solve("x^2 - 2").points)
+    with pytest.raises(ValueError, match="threads must lie between 0 \\(all cores\\)"):
+        moivre.solve("x^2 - 2", threads=-1)
