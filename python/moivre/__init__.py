@@ -26,9 +26,9 @@ from ._judged import Info, Verdict, check, info
 from ._family import Family, Members
 from ._mechanism import (Body, Branch, Closure, ClosureSensitivity, Closures, Event, Guesses, Mechanism, Mobility, Motion, Newton,
                          Sensitivity, Sweep)
-from ._arm import Arm, Postures, SelfMotion
+from ._arm import Arm, NearestPosture, Postures, SelfMotion
 
 __all__ = ["Arm", "Body", "Branch", "Closure", "ClosureSensitivity", "Closures", "Event", "Family", "Guesses", "Info", "Mechanism",
-           "Members", "Mobility", "Motion", "Newton", "ParseError", "Postures", "Result", "Root", "SelfMotion", "Sensitivity", "Sweep",
+           "Members", "Mobility", "Motion", "NearestPosture", "Newton", "ParseError", "Postures", "Result", "Root", "SelfMotion", "Sensitivity", "Sweep",
            "Verdict", "check", "info", "solve",
            "__version__"]

@@ -3,6 +3,7 @@
 """Robot arms from URDF, or from Denavit-Hartenberg's numbers."""
 
 import dataclasses
+import functools
 import os
 
 import numpy as np
@@ -11,7 +12,7 @@ from . import _moivre
 from ._dh import dh_urdf
 from ._errors import ParseError
 from ._progress import told
-from ._solve import chosen, in_degrees, write
+from ._solve import chosen, in_degrees, place, write
 
 
 class Arm:
@@ -32,6 +33,8 @@ class Arm:
         In the order of joint values.
     limits : list of ((float, float) or None)
     base, tip : str
+    robot : str
+        Its name.
 
     Examples
     --------
@@ -110,6 +113,35 @@ class Arm:
         """
         return self._arm.fk(np.asarray(q, dtype=float))
 
+    def misfit(self, q, poses):
+        """By how much joint values miss a pose, its position and its rotation apart.
+
+        Parameters
+        ----------
+        q : array_like of float, shape (joints,) or (N, joints)
+        poses : array_like of float, shape (4, 4) or (N, 4, 4)
+            One for all joint values, or one for each.
+
+        Returns
+        -------
+        (position, rotation)
+            Metres and radians: floats, or two ndarrays of shape (N,) where q or poses are many.
+
+        Examples
+        --------
+        >>> import moivre
+        >>> arm = moivre.Arm("problems/robots/puma560.urdf")
+        >>> T = arm.fk([0, 0, 0, 0, 0, 0])
+        >>> T[0, 3] += 0.002
+        >>> position, rotation = arm.misfit([0, 0, 0, 0, 0, 0], T)
+        >>> round(position, 6), round(rotation, 6)
+        (0.002, 0.0)
+        """
+        q, poses = np.asarray(q, dtype=float), np.asarray(poses, dtype=float)
+        is_one = q.ndim == 1 and poses.ndim == 2
+        position, rotation = self._arm.misfits(q, poses[np.newaxis] if poses.ndim == 2 else poses).T
+        return (float(position[0]), float(rotation[0])) if is_one else (position, rotation)
+
     def ik(self, poses, *, pose_accuracy=None, nearest=None, limits=None, tracker=None, start=None, seed=None, threads=None,
            time_limit=None, tracker_options=None, progress=None):
         """All joint values that hold the tip in a pose.
@@ -117,10 +149,11 @@ class Arm:
         Parameters
         ----------
         poses : array_like of float, shape (4, 4) or (N, 4, 4)
-            Homogeneous transforms, lengths in metres. A rotation rounded to six digits is made exactly one.
+            Homogeneous transforms, lengths in metres. Of a rotation rounded to six digits, or within `pose_accuracy`, the nearest
+            one is taken.
         pose_accuracy : float, optional
             How well the poses are known, metres and radians: postures and sets miss them by no more. Default: 1e-10, as
-            of computed ones.
+            of computed ones. Of four decimals it is 2e-4.
         nearest : array_like of float, shape (joints,), optional
             Joint values where the arm stands: postures come in the order of their distance from there, `in_limits` with the
             whole turns that bring each joint nearest.
@@ -175,7 +208,7 @@ class SelfMotion:
     ----------
     dimension : int
     q : ndarray of float, shape (joints,)
-        One posture of it.
+        One posture of it, whole turns as in `Postures.in_limits`.
     directions : ndarray of float, shape (joints, dimension)
         Unit columns: how the joints may move there.
     lost : ndarray of float, shape (6,)
@@ -183,7 +216,7 @@ class SelfMotion:
     relations : list of (ndarray of float, shape (joints,), float)
         factors @ q = value holds on the whole set, turns modulo whole ones; none where it is curved.
     samples : ndarray of float, shape (samples, joints)
-        Postures along it.
+        Postures along it, whole turns as in `Postures.in_limits`: numpy.unwrap(samples, axis=0) has none between neighbours.
     closes : bool
         It comes back to its beginning.
     misfit : float
@@ -201,9 +234,57 @@ class SelfMotion:
     closes: bool
     misfit: float
     within_digits: bool
+    _is_on: object = dataclasses.field(repr=False)
+
+    def contains(self, q, within=None):
+        """Whether joint values hold the pose and are on this set, as far as its samples show.
+
+        Parameters
+        ----------
+        q : array_like of float, shape (joints,)
+        within : float, optional
+            By how much they may miss the pose, metres and radians. Default: as the pose is accurate (`pose_accuracy=` of `Arm.ik`).
+
+        Returns
+        -------
+        bool
+            True: forward kinematics meets the pose, and q is at the samples, or between two of them. A posture beside a curved
+            set that holds the pose too, nearer than the samples are apart, is not told from it.
+
+        Examples
+        --------
+        >>> import moivre
+        >>> arm = moivre.Arm("problems/robots/puma560.urdf")
+        >>> straight = [0.1, -0.5, 0.3, 0.4, 0, 0.6]
+        >>> motion, *_ = [m for m in arm.ik(arm.fk(straight)).motions() if m.contains(straight)]
+        >>> motion.contains([0.1, -0.5, 0.3, 0.9, 0, 0.1]), motion.contains([0.1, -0.5, 0.3, 0.9, 0, 0.2])
+        (True, False)
+        """
+        return self._is_on(np.asarray(q, dtype=float).reshape(-1), 0.0 if within is None else float(within))
 
     def __repr__(self):
         return f"<moivre.SelfMotion of dimension {self.dimension}: {len(self.samples)} samples>"
+
+
+@dataclasses.dataclass(frozen=True, eq=False)
+class NearestPosture:
+    """The posture that comes nearest to a pose that none holds. Made by `Postures.nearest_posture`.
+
+    Attributes
+    ----------
+    q : ndarray of float, shape (joints,)
+        Nearest of those that searches from random postures came to: where position, beside the arm's length, and rotation are
+        least, the larger of both counts.
+    position, rotation : float
+        By how much it misses the pose: metres and radians.
+    """
+
+    q: np.ndarray
+    position: float
+    rotation: float
+
+    def __repr__(self):
+        return f"<moivre.NearestPosture: misses by {self.position:.2g} m and {self.rotation:.2g} rad>"
 
 
 class Postures:
@@ -254,12 +335,15 @@ class Postures:
 
     def __getitem__(self, pose):
         """Joint values for one pose, shape (counts[pose], joints)."""
-        pose = range(len(self))[pose]
+        pose = self._at(pose)
         return self.values[pose, :self.counts[pose]]
+
+    def _at(self, pose):
+        return place(self, pose, "pose")
 
     def names(self, pose=0):
         """What each posture is called, "shoulder right, elbow up, no flip"; empty where the arm has no such words."""
-        return self._found.names(range(len(self))[pose])
+        return self._found.names(self._at(pose))
 
     def turns(self, pose=0):
         """Every choice of whole turns that the limits allow: for each posture an ndarray of shape (choices, joints).
@@ -269,22 +353,22 @@ class Postures:
         ValueError
             The limits allow more choices than can be listed.
         """
-        return self._found.turns(range(len(self))[pose])
+        return self._found.turns(self._at(pose))
 
     def motions(self, pose=0):
         """The sets of postures along which the joints move while the tip stands in this pose: a list of `SelfMotion`."""
-        return [SelfMotion(**each) for each in self._found.motions(range(len(self))[pose])]
+        pose = self._at(pose)
+        return [SelfMotion(**each, _is_on=functools.partial(self._found.is_on_motion, pose, k))
+                for k, each in enumerate(self._found.motions(pose))]
 
     def nearest_posture(self, pose=0):
-        """(joint values, misfit) of the posture that comes nearest to a pose that an arm of fewer than six joints cannot hold.
-
-        None where a posture holds it, or where it is only out of reach.
-        """
-        return self._found.nearest(range(len(self))[pose])
+        """The posture that comes nearest to a pose that none holds, a `NearestPosture`; None where one holds it."""
+        found = self._found.nearest(self._at(pose))
+        return None if found is None else NearestPosture(**found)
 
     def message(self, pose=0):
         """What is known of the pose, a sentence; why it is not decided, where it is not."""
-        return self._found.message(range(len(self))[pose])
+        return self._found.message(self._at(pose))
 
     def to_json(self, path=None):
         """The JSON of `moivre closures ARM.urdf`."""

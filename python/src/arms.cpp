@@ -68,7 +68,9 @@ std::vector<TypedPose> poses_of(const Doubles& given, double accuracy) {
   poses.reserve(static_cast<std::size_t>(given.shape(0)));
   for (py::ssize_t k = 0; k < given.shape(0); ++k) {
     const RowMajor4 matrix = Eigen::Map<const RowMajor4>(given.data(k, 0, 0));
-    poses.push_back({pose_of(matrix, "pose " + std::to_string(k) + ": "), accuracy});
+    poses.push_back(
+        {pose_of(matrix, "pose " + std::to_string(k) + ": ", accuracy, "a larger pose_accuracy="),
+         accuracy});
   }
   return poses;
 }
@@ -198,23 +200,53 @@ py::dict posture_arrays(const Postures& run) {
   return arrays;
 }
 
-/// q: (joints,), or (N, joints); the tip's pose: (4, 4), or (N, 4, 4).
-Doubles forward(const NamedArm& named, const Doubles& q) {
+/// Throws std::invalid_argument unless q is (joints,) or (N, joints), and finite.
+void require_joint_values(const NamedArm& named, const Doubles& q) {
   const std::size_t joints = named.arm.joints.size();
-  const bool is_one = q.ndim() == 1;
   if (q.ndim() < 1 || q.ndim() > 2 || static_cast<std::size_t>(q.shape(q.ndim() - 1)) != joints) {
     throw std::invalid_argument("joint values of shape (" + std::to_string(joints) + ",) or (N, " +
                                 std::to_string(joints) + ") are wanted");
   }
+  if (!std::all_of(q.data(), q.data() + q.size(), [](double x) { return std::isfinite(x); })) {
+    throw std::invalid_argument("a joint value is not finite");
+  }
+}
+
+Eigen::VectorXd joint_values(const NamedArm& named, const Doubles& q, py::ssize_t row) {
+  const std::size_t joints = named.arm.joints.size();
+  return Eigen::Map<const Eigen::VectorXd>(q.data() + row * static_cast<py::ssize_t>(joints),
+                                           static_cast<Eigen::Index>(joints));
+}
+
+/// q: (joints,) or (N, joints), poses (1, 4, 4) or (N, 4, 4): metres and radians, (N, 2).
+py::array_t<double> misfits(const NamedArm& named, const Doubles& q, const Doubles& given) {
+  require_joint_values(named, q);
+  const std::vector<TypedPose> poses = poses_of(given, 0);
+  const py::ssize_t count = q.ndim() == 1 ? 1 : q.shape(0);
+  const auto asked = std::max(count, std::ssize(poses));
+  if ((count != 1 && count != asked) || (std::ssize(poses) != 1 && std::ssize(poses) != asked)) {
+    throw std::invalid_argument("as many poses as joint values are wanted, or one of either");
+  }
+  py::array_t<double> array({asked, py::ssize_t{2}});
+  for (py::ssize_t k = 0; k < asked; ++k) {
+    const PoseMisfit miss =
+        misfit_of(named.arm, poses[poses.size() == 1 ? 0 : static_cast<std::size_t>(k)].pose,
+                  joint_values(named, q, count == 1 ? 0 : k));
+    array.mutable_at(k, 0) = miss.position;
+    array.mutable_at(k, 1) = miss.rotation;
+  }
+  return array;
+}
+
+/// q: (joints,), or (N, joints); the tip's pose: (4, 4), or (N, 4, 4).
+Doubles forward(const NamedArm& named, const Doubles& q) {
+  require_joint_values(named, q);
+  const bool is_one = q.ndim() == 1;
   const py::ssize_t count = is_one ? 1 : q.shape(0);
   Doubles poses(is_one ? std::vector<py::ssize_t>{4, 4} : std::vector<py::ssize_t>{count, 4, 4});
   for (py::ssize_t k = 0; k < count; ++k) {
-    const double* const row = q.data() + k * static_cast<py::ssize_t>(joints);
-    const Eigen::VectorXd values =
-        Eigen::Map<const Eigen::VectorXd>(row, static_cast<Eigen::Index>(joints));
-    if (!values.allFinite()) throw std::invalid_argument("a joint value is not finite");
     Eigen::Map<RowMajor4>(poses.mutable_data() + 16 * k) =
-        forward_kinematics(named.arm, values).matrix();
+        forward_kinematics(named.arm, joint_values(named, q, k)).matrix();
   }
   return poses;
 }
@@ -251,10 +283,15 @@ std::vector<Eigen::MatrixXd> turns_of(const Postures& run, std::size_t pose) {
   return turns;
 }
 
-Eigen::MatrixXd samples_of(const SelfMotion& motion) {
+Eigen::VectorXd placed(const Arm& arm, Eigen::VectorXd values) {
+  place_in_limits(arm, values);
+  return values;
+}
+
+Eigen::MatrixXd samples_of(const Arm& arm, const SelfMotion& motion) {
   Eigen::MatrixXd rows(std::ssize(motion.samples), motion.values.size());
   for (Eigen::Index k = 0; k < rows.rows(); ++k) {
-    rows.row(k) = motion.samples[static_cast<std::size_t>(k)];
+    rows.row(k) = placed(arm, motion.samples[static_cast<std::size_t>(k)]);
   }
   return rows;
 }
@@ -275,11 +312,11 @@ py::list motions_of(const Postures& run, std::size_t pose) {
     }
     py::dict each;
     each["dimension"] = motion.dimension;
-    each["q"] = motion.values;
+    each["q"] = placed(run.of->arm, motion.values);
     each["directions"] = motion.directions;
     each["lost"] = row_of(motion.lost);
     each["relations"] = relations;
-    each["samples"] = samples_of(motion);
+    each["samples"] = samples_of(run.of->arm, motion);
     each["closes"] = motion.closes;
     each["misfit"] = motion.misfit;
     each["within_digits"] = motion.within_digits;
@@ -288,12 +325,22 @@ py::list motions_of(const Postures& run, std::size_t pose) {
   return list;
 }
 
-/// (joint values, misfit) of the posture that comes nearest to a pose which none holds; None
-/// elsewhere.
+/// Whether the joint values are on a set of a pose.
+bool is_on_motion(const Postures& run, std::size_t pose, std::size_t motion,
+                  const Eigen::VectorXd& q, double within) {
+  const ArmResult& result = run.results.at(pose);
+  return contains(run.of->arm, result, result.moves.at(motion), q, within);
+}
+
+/// Of the posture that comes nearest to a pose which none holds; None elsewhere.
 py::object nearest_of(const Postures& run, std::size_t pose) {
   if (pose >= run.results.size() || !run.results[pose].nearest) return py::none();
   const NearestPosture& nearest = *run.results[pose].nearest;
-  return py::make_tuple(nearest.values, nearest.misfit);
+  py::dict dict;
+  dict["q"] = placed(run.of->arm, nearest.values);
+  dict["position"] = nearest.apart.position;
+  dict["rotation"] = nearest.apart.rotation;
+  return dict;
 }
 
 std::string message_of(const Postures& run, std::size_t pose) {
@@ -324,7 +371,8 @@ void bind_arms(py::module_& module) {
                                return names;
                              })
       .def_property_readonly("limits", &limits_of)
-      .def("fk", &forward);
+      .def("fk", &forward)
+      .def("misfits", &misfits);
   module.def("arm_of_file", [](const std::string& path, const std::optional<std::string>& base,
                                const std::optional<std::string>& tip,
                                const std::vector<std::pair<std::string, double>>& held) {
@@ -344,6 +392,7 @@ void bind_arms(py::module_& module) {
       .def("turns", &turns_of)
       .def("motions", &motions_of)
       .def("nearest", &nearest_of)
+      .def("is_on_motion", &is_on_motion)
       .def("message", &message_of)
       .def("json", [](const Postures& run) { return arm_json(run.report()); })
       .def("text", [](const Postures& run) { return arm_text(run.report()); })

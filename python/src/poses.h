@@ -7,8 +7,10 @@
 
 namespace moivre::python {
 
-/// Throws std::invalid_argument, whose text begins with `where`, unless the matrix is a rotation
-/// and a translation to six digits.
-Eigen::Isometry3d pose_of(const Eigen::Matrix4d& matrix, const std::string& where);
+/// With the nearest rotation. Throws std::invalid_argument, whose text begins with `where`, unless
+/// that is within `accuracy` (radians), or the matrix is a rotation and a translation to six
+/// digits. `remedy`: which argument says that a pose is less accurate.
+Eigen::Isometry3d pose_of(const Eigen::Matrix4d& matrix, const std::string& where,
+                          double accuracy = 0, const std::string& remedy = "");
 
 }  // namespace moivre::python

@@ -202,8 +202,105 @@ def test_the_text_of_a_urdf_is_an_arm():
 
 def test_a_rotation_of_three_digits_is_refused_with_what_to_do(arm):
     _, poses = poses_of(arm, 1)
-    with pytest.raises(ValueError, match="no rotation: R\\^T R is off .*numpy.linalg.svd"):
+    with pytest.raises(ValueError, match="no rotation: the nearest one is off by .*pose_accuracy=.*numpy.linalg.svd"):
         arm.ik(poses[0].round(3))
     u, _, vt = np.linalg.svd(poses[0, :3, :3].round(3))
     poses[0, :3, :3] = u @ vt
     assert arm.ik(poses[0]).complete
+
+
+@pytest.mark.parametrize("decimals", [2, 3, 4, 5, 6])
+def test_a_rotation_within_the_poses_accuracy_is_the_nearest_one(arm, decimals):
+    q, poses = poses_of(arm, 20)
+    rounded = poses.round(decimals)
+    accuracy = 2 * 10.0**-decimals
+    found = arm.ik(rounded, pose_accuracy=accuracy, tracker="lanes")
+    for k in range(20):
+        u, _, vt = np.linalg.svd(rounded[k, :3, :3])
+        nearest = rounded[k].copy()
+        nearest[:3, :3] = u @ vt
+        position, rotation = arm.misfit(found[k], nearest)
+        assert len(found[k]) >= 1 and position.max() < accuracy and rotation.max() < accuracy
+    assert np.array_equal(arm.ik(rounded, pose_accuracy=10).counts, found.counts)
+
+
+def test_what_is_no_rotation_within_the_accuracy_is_refused(arm):
+    stretched = np.diag([1.01, 1, 1, 1])
+    with pytest.raises(ValueError, match="off by 0.01, and may be by 0.001; a larger pose_accuracy="):
+        arm.ik(stretched, pose_accuracy=1e-3)
+    with pytest.raises(ValueError, match="left-handed"):
+        arm.ik(np.diag([1, 1, -1, 1]), pose_accuracy=3)
+
+
+def test_a_misfit_is_told_in_metres_and_radians(arm):
+    q, poses = poses_of(arm, 3)
+    off = poses.copy()
+    off[:, :3, 3] += [0.003, 0, 0.004]
+    turn = np.array([[np.cos(0.02), -np.sin(0.02), 0], [np.sin(0.02), np.cos(0.02), 0], [0, 0, 1]])
+    off[:, :3, :3] = off[:, :3, :3] @ turn
+    position, rotation = arm.misfit(q, off)
+    assert np.allclose(position, 0.005) and np.allclose(rotation, 0.02)
+    assert np.allclose(arm.misfit(q[0], off[0]), (0.005, 0.02)) and isinstance(arm.misfit(q[0], off[0])[0], float)
+    assert arm.misfit(q[0], off)[0].shape == (3,) and arm.misfit(q, off[0])[0].shape == (3,)
+    with pytest.raises(ValueError, match="as many poses as joint values"):
+        arm.misfit(q, off[:2])
+
+
+def test_a_number_of_a_pose_that_is_not_there_is_refused(arm):
+    q = arm.ik(poses_of(arm, 2)[1])
+    for ask in (lambda: q[2], lambda: q.names(2), lambda: q.motions(-3), lambda: q.message(5)):
+        with pytest.raises(IndexError, match="there is no pose -?[0-9]: there are 2, counted from 0"):
+            ask()
+
+
+def straight_wrists():
+    return moivre.Arm.from_dh([[0, np.pi / 2, 0.4, 0], [0.5, 0, 0, 0], [0.1, np.pi / 2, 0, 0],
+                               [0, -np.pi / 2, 0.5, 0], [0, np.pi / 2, 0, 0], [0, 0, 0.1, 0]])
+
+
+@pytest.mark.parametrize("made, given", [
+    (straight_wrists, [0.1, 0.2, 0.3, 2.9, 0, 2.8]),   # a plane in joint space, turns without limits
+    (lambda: moivre.Arm("problems/robots/ur5.urdf", base="base_link", tip="tool0"), [0.1, -1.2, 1.1, 0.3, 0, -0.4]),
+])
+def test_postures_of_a_set_have_turns_as_closures_have(made, given, monkeypatch):
+    from conftest import ROOT
+    monkeypatch.chdir(ROOT)
+    arm = made()
+    q = arm.ik(arm.fk(given))
+    assert q.moves[0]
+    for motion in q.motions(0):
+        for posture in (*motion.samples, motion.q):
+            for value, limits in zip(posture, arm.limits):
+                assert limits is not None and limits[0] <= value <= limits[1] or -np.pi < value <= np.pi
+            assert np.allclose(arm.misfit(posture, arm.fk(given)), 0, atol=1e-8)
+        assert all(-np.pi < value <= np.pi for _, value in motion.relations)
+        way = np.unwrap(motion.samples, axis=0)
+        assert np.abs(np.diff(way, axis=0)).max() < 0.5
+
+
+def test_of_two_sets_each_contains_its_own_postures(arm):
+    q = arm.ik(arm.fk([0.1, -1.2, 1.1, 0.3, 0, -0.4]))
+    one, other = q.motions(0)
+    for motion, elsewhere in ((one, other), (other, one)):
+        assert all(motion.contains(posture) and not elsewhere.contains(posture) for posture in motion.samples[::10])
+
+
+def test_a_set_contains_its_postures_alone():
+    arm = straight_wrists()
+    given = np.array([0.1, 0.2, 0.3, 0.4, 0, 0.6])
+    pose = arm.fk(given)
+    q = arm.ik(pose)
+    motions = q.motions(0)
+    own = [m for m in motions if m.contains(given)]
+    assert len(own) == 1 and len(q[0]) >= 1
+    along = given + np.array([0, 0, 0, 1.7, 0, -1.7])
+    assert own[0].contains(along) and own[0].contains(along + 2 * np.pi * np.array([0, 0, 0, 1, 0, -3]))
+    assert not own[0].contains(given + np.array([0, 0, 0, 0.1, 0, 0]))    # misses the pose
+    assert not any(own[0].contains(posture) for posture in q[0])           # holds it, elsewhere
+    rounded = along + 3e-5
+    assert not own[0].contains(rounded) and own[0].contains(rounded, within=1e-3)
+    for wrong, words in (([0, 0], "6 joints"), ([np.nan] * 6, "not finite")):
+        with pytest.raises(ValueError, match=words):
+            own[0].contains(wrong)
+    with pytest.raises(ValueError, match="within: metres and radians"):
+        own[0].contains(given, within=-1)

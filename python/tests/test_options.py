@@ -260,8 +260,14 @@ def test_an_arm_of_five_joints_says_which_posture_comes_nearest():
     turned[:3, :3] = [[np.cos(0.1), 0, np.sin(0.1)], [0, 1, 0], [-np.sin(0.1), 0, np.cos(0.1)]]
     off = arm.ik(pose @ turned)
     assert off.counts[0] == 0
-    values, misfit = off.nearest_posture(0)
-    assert values.shape == (5,) and 0 < misfit < 0.2
+    near = off.nearest_posture(0)
+    assert near.q.shape == (5,) and np.allclose(arm.misfit(near.q, pose @ turned), (near.position, near.rotation))
+    assert 0 < near.rotation <= 0.11 and 0 <= near.position < 0.2
+    assert f"misses it by {near.position:.2g} m and {near.rotation:.2g} rad" in off.message(0)
+    far = np.eye(4)
+    far[0, 3] = 10
+    six = moivre.Arm(PROBLEMS / "robots" / "ur5.urdf", base="base_link", tip="tool0").ik(far).nearest_posture(0)
+    assert six is not None and six.position > 5
     assert arm.ik(pose @ turned, pose_accuracy=0.2).counts[0] >= 1
 
 

@@ -99,11 +99,13 @@ Json sample_json(const Eigen::VectorXd& sample, const Arm& arm) {
 }
 
 Json moves_json(const SelfMotion& set, const Arm& arm) {
+  Eigen::VectorXd placed = set.values;
+  place_in_limits(arm, placed);
   Json directions = Json::array();
   for (Eigen::Index k = 0; k < set.directions.cols(); ++k) {
     directions.push_back(values_json(arm, set.directions.col(k)));
   }
-  return {{"pose", values_json(arm, set.values)},
+  return {{"pose", values_json(arm, placed)},
           {"tangent", directions.front()},
           {"lost", twist_json(set.lost)},
           {"dimension", set.dimension},
@@ -149,7 +151,9 @@ void add_result(const ArmResult& result, const Arm& arm, const ArmReport& report
   json["nearest"] = nullptr;
   if (result.nearest) {
     json["nearest"] = {{"coordinates", values_json(arm, result.nearest->values)},
-                       {"misfit", to_json(result.nearest->misfit)}};
+                       {"misfit", to_json(result.nearest->misfit)},
+                       {"position", to_json(result.nearest->apart.position)},
+                       {"rotation", to_json(result.nearest->apart.rotation)}};
   }
   json["closures"] =
       list_json(result.closures, [&](const ArmClosure& c) { return closure_json(c, arm, report); });

@@ -36,6 +36,9 @@ std::string rounded_text(double x) {
   return text;
 }
 
+/// A miss of both kinds, as it is compared with an accuracy.
+std::string miss_text(double x) { return rounded_text(x) + " rad or arm's lengths"; }
+
 std::size_t width_of(const ArmJoint& joint) { return std::max(kWidth, joint.name.size() + 2); }
 
 std::string table_head(const Arm& arm) {
@@ -65,7 +68,7 @@ std::string closure_line(const ArmClosure& closure, const Eigen::VectorXd& value
     text += "  distance " + rounded_text(distance_from(arm, values, *report.stands));
   }
   if (closure.within_digits) {
-    text += "  within the digits alone, misses by " + rounded_text(closure.residual);
+    text += "  within the digits alone, misses by " + miss_text(closure.residual);
   }
   if (!closure.beyond.empty()) text += "  beyond limits";
   return text + '\n';
@@ -147,7 +150,7 @@ std::string relation_text(const JointRelation& relation, const Arm& arm) {
 }
 
 std::string set_text(const SelfMotion& set, const Arm& arm) {
-  const std::string misses = "(it misses by " + rounded_text(set.misfit) + ") ";
+  const std::string misses = "(it misses by " + miss_text(set.misfit) + ") ";
   std::string text = set.within_digits     ? "within the digits of the file's numbers " + misses
                      : set.misfit > kReach ? "within the accuracy of the pose " + misses
                                            : std::string();
@@ -161,7 +164,9 @@ std::string set_text(const SelfMotion& set, const Arm& arm) {
     }
     return joints + '\n';
   };
-  text += line(set.values) + "along\n";
+  Eigen::VectorXd placed = set.values;
+  place_in_limits(arm, placed);
+  text += line(placed) + "along\n";
   for (Eigen::Index k = 0; k < set.directions.cols(); ++k) {
     text += "  " + line(set.directions.col(k));
   }

@@ -7,6 +7,7 @@
 
 #include "moivre/arms/arm_closures.h"
 #include "moivre/arms/rules.h"
+#include "moivre/numeric/invalid_input.h"
 #include "set_place.h"
 
 namespace moivre {
@@ -100,6 +101,25 @@ bool is_on(const Arm& arm, const SelfMotion& motion, const Eigen::VectorXd& valu
     if ((to - along * side).norm() < std::max(within, kBowOfChord * side.norm())) return true;
   }
   return false;
+}
+
+PoseMisfit misfit_of(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& values) {
+  require_values(arm, values);
+  const Velocity6<double> error = linearized(arm, workable_pose(pose, "the pose"), values).error;
+  return {arm.length * error.head<3>().norm(), error.tail<3>().norm()};
+}
+
+bool contains(const Arm& arm, const ArmResult& result, const SelfMotion& motion,
+              const Eigen::VectorXd& values, double within) {
+  if (!(within >= 0) || !std::isfinite(within)) {
+    throw InvalidInput("within: metres and radians, 0 or more and finite");
+  }
+  const PoseMisfit miss = misfit_of(arm, result.pose, values);
+  const double most =
+      within > 0 ? within / std::min(1.0, arm.length) : std::max(result.accuracy, motion.misfit);
+  if (std::max(miss.position / arm.length, miss.rotation) > most) return false;
+  // Where closures meet the tip is missed by the square of the way.
+  return is_on(arm, motion, values, std::sqrt(std::max(most, kReach)));
 }
 
 }  // namespace moivre

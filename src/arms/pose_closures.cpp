@@ -90,8 +90,10 @@ std::string message_of(const Arm& arm, const PostureList& list, const ArmResult&
   if (!list.closures.empty()) return "every path was decided";
   std::string text = "the arm cannot hold this pose";
   if (arm.joints.size() < 6) text += "; with fewer than six free joints only some can be held";
-  if (list.nearest)
-    text += "; the nearest posture misses it by " + number_text(list.nearest->misfit);
+  if (list.nearest) {
+    text += "; the nearest posture misses it by " + number_text(list.nearest->apart.position) +
+            " m and " + number_text(list.nearest->apart.rotation) + " rad";
+  }
   return text;
 }
 
@@ -200,6 +202,9 @@ ArmResult finished(PoseSearch&& pose) {
   result.counts.complex = std::max(result.counts.complex, result.counts.real);
   for (const ArmClosure& closure : list.closures) {
     if (!closure.beyond.empty()) ++result.counts.beyond_limits;
+  }
+  if (list.nearest) {
+    list.nearest->apart = misfit_of(list.arm, list.pose, list.nearest->values);
   }
   result.message = message_of(list.arm, list, result);
   if (has_none(list)) result.nearest = std::move(list.nearest);

@@ -239,10 +239,8 @@ double distance(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd&
 
 void reduce_turns(const Arm& arm, Eigen::VectorXd& values) {
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
-    if (arm.joints[k].is_slide) continue;
     double& value = values[static_cast<Eigen::Index>(k)];
-    if (!(std::abs(value) < std::numbers::pi)) value = std::remainder(value, 2 * std::numbers::pi);
-    if (value <= -std::numbers::pi + kRounding) value = std::numbers::pi;
+    if (!arm.joints[k].is_slide) value = reduced_turn(value);
   }
 }
 
@@ -274,7 +272,7 @@ void enter_meeting(PostureList& list, const Eigen::VectorXd& place) {
 
 PostureEntry enter(PostureList& list, const Polished& polished) {
   if (!list.nearest || polished.residual < list.nearest->misfit) {
-    list.nearest = {polished.values, polished.residual};
+    list.nearest = {polished.values, polished.residual, {}};
     reduce_turns(list.arm, list.nearest->values);
   }
   PostureEntry entry;

@@ -94,15 +94,19 @@ void require_values(const Arm& arm, const Eigen::VectorXd& values) {
   if (!values.allFinite()) throw InvalidInput("a joint's value is not finite");
 }
 
+Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& R) {
+  const Svd parts = svd(R, SingularVectors::full);
+  return parts.U * parts.V.transpose();
+}
+
 Eigen::Isometry3d workable_pose(const Eigen::Isometry3d& pose, const std::string& name) {
   std::vector<std::string> broken;
   for (const std::string& fault : faults_of(pose, kRoundedBy)) broken.push_back(name + " " + fault);
   require_unbroken(broken);
   const Eigen::Matrix3d R = pose.linear();
   if (error_of_rotation(R) <= kRounding) return pose;
-  const Svd parts = svd(R, SingularVectors::full);
   Eigen::Isometry3d nearest = pose;
-  nearest.linear() = parts.U * parts.V.transpose();
+  nearest.linear() = nearest_rotation(R);
   return nearest;
 }
 

@@ -186,6 +186,11 @@ std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<Vector
       relation.factors[moving[static_cast<std::size_t>(k)]] = is_whole ? nearest : rows(r, k);
     }
     relation.value = relation.factors.dot(samples.front());
+    const bool has_single_turn = std::any_of(moving.begin(), moving.end(), [&](Index k) {
+      return !arm.joints[static_cast<std::size_t>(k)].is_slide &&
+             std::abs(relation.factors[k]) == 1;
+    });
+    if (has_single_turn) relation.value = reduced_turn(relation.value);
   }
   return relations;
 }
@@ -360,6 +365,10 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   const Velocity6<double> least = least_moved(begin->place);
   motion.lost = {arm.length * least.head<3>(), least.tail<3>()};
   motion.relations = relations_of(arm, motion.samples, motion.dimension, motion.misfit <= kReach);
+  for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    double& value = motion.values[static_cast<Index>(k)];
+    if (!arm.joints[k].is_slide) value = reduced_turn(value);
+  }
   return traced;
 }
 

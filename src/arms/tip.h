@@ -151,6 +151,13 @@ JointVector<S> in_joints(const Arm& arm, JointVector<S> step) {
   return step;
 }
 
+/// The same turn in (-pi, pi], a half turn from either side as pi.
+inline double reduced_turn(double value) {
+  constexpr double kRounded = 1e-12;
+  if (!(std::abs(value) < std::numbers::pi)) value = std::remainder(value, 2 * std::numbers::pi);
+  return value <= -std::numbers::pi + kRounded ? std::numbers::pi : value;
+}
+
 /// Of one joint from a to b, turns modulo whole ones, in radians or arm's lengths.
 inline double joint_way(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
                         Eigen::Index k) {

@@ -44,12 +44,16 @@ std::vector<std::size_t> place_in_limits(const Arm& arm, Eigen::VectorXd& values
   require_values(arm, values);
   std::vector<std::size_t> beyond;
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
+    const ArmJoint& joint = arm.joints[k];
     double& value = values[static_cast<Eigen::Index>(k)];
-    if (const auto range = turns_of(arm.joints[k], value)) {
+    const auto range = turns_of(joint, value);
+    if (range) {
       value += std::clamp(0.0, range->least, range->most) * kWholeTurn;
     } else {
       beyond.push_back(k);
     }
+    const bool is_placed = joint.is_slide || (range && joint.limits);
+    if (!is_placed) value = reduced_turn(value);
   }
   return beyond;
 }

@@ -64,6 +64,35 @@ TEST(SpecialPosesTest, AStraightWristMoves) {
   EXPECT_GT(lost.rotation.norm(), 0.01);
 }
 
+TEST(SpecialPosesTest, ASetContainsWhatHoldsThePoseAlongIt) {
+  const Arm arm = make_arm(robot_of("puma560"), {});
+  Eigen::VectorXd own(6), along(6);
+  own << 0.3, 0.4, 0.5, 0.2, 0, 0.1;
+  along << 0, 0, 0, 1, 0, -1;
+  const ArmResult result =
+      find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+  const auto set =
+      std::find_if(result.moves.begin(), result.moves.end(),
+                   [&](const SelfMotion& motion) { return contains(arm, result, motion, own); });
+  ASSERT_NE(set, result.moves.end());
+  EXPECT_TRUE(contains(arm, result, *set, own + 1.234 * along));
+  EXPECT_TRUE(contains(arm, result, *set, own + 8 * along)) << "a turn more";
+  // Beside a relation by less than postures of a set are told apart: the pose decides.
+  const Eigen::VectorXd beside = own + 5e-6 * Eigen::VectorXd::Unit(6, 3);
+  EXPECT_TRUE(is_on(arm, *set, beside, 1e-5));
+  EXPECT_FALSE(contains(arm, result, *set, beside));
+  EXPECT_TRUE(contains(arm, result, *set, beside, 1e-4));
+  for (const ArmClosure& closure : result.closures) {
+    EXPECT_FALSE(contains(arm, result, *set, closure.values)) << closure.id;
+  }
+  for (const SelfMotion& motion : result.moves) {
+    EXPECT_LE(motion.values.cwiseAbs().maxCoeff(), std::numbers::pi);
+    for (const JointRelation& relation : motion.relations) {
+      EXPECT_LE(std::abs(relation.value), std::numbers::pi);
+    }
+  }
+}
+
 TEST(SpecialPosesTest, NearASingularPostureTheWeakestMotionIsTold) {
   const Arm arm = make_arm(robot_of("puma560"), {});
   Eigen::VectorXd own(6);
@@ -147,6 +176,15 @@ TEST(SpecialPosesTest, FewJointsReachThePosesThatTheyCan) {
     const ArmResult none =
         find_arm_closures(arm, pointing_down(0.123, 0.456, 0.789), lanes(), one_thread());
     EXPECT_TRUE(none.closures.empty()) << "so few joints cannot reach any pose";
+    ASSERT_TRUE(none.nearest);
+    const Eigen::Isometry3d there = forward_kinematics(arm, none.nearest->values);
+    const PoseMisfit& apart = none.nearest->apart;
+    EXPECT_NEAR(apart.position, (there.translation() - none.pose.translation()).norm(), 1e-12);
+    const Eigen::AngleAxisd turned(
+        Eigen::Matrix3d(there.linear().transpose() * none.pose.linear()));
+    EXPECT_NEAR(apart.rotation, turned.angle(), 1e-9);
+    EXPECT_NEAR(none.nearest->misfit, std::max(apart.position / arm.length, apart.rotation), 1e-9);
+    EXPECT_NE(none.message.find(" m and "), std::string::npos) << none.message;
   }
 }
 

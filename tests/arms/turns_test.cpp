@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numbers>
 
 #include "moivre/numeric/invalid_input.h"
 #include "robots.h"
@@ -50,6 +51,21 @@ TEST(Turns, OfAJointWithoutLimitsAreNotListed) {
   arm.joints[3].limits.reset();
   const Eigen::VectorXd values = Eigen::VectorXd::Constant(6, 0.5);
   EXPECT_EQ(all_turns(arm, values).size(), 16U);
+}
+
+TEST(Turns, ThatNoLimitAsksForAreWithinAHalf) {
+  Arm arm = ur5();
+  arm.joints[3].limits.reset();
+  arm.joints[4].limits = Limits{-0.1, 0.1};
+  Eigen::VectorXd values(6);
+  values << 5, -6, 7, 7.2, 7.2, -9;
+  const Eigen::VectorXd given = values;
+  EXPECT_EQ(place_in_limits(arm, values), std::vector<std::size_t>{4});
+  EXPECT_EQ(values[0], 5) << "a UR5 turns so far";
+  EXPECT_NEAR(values[2], 7 - 2 * std::numbers::pi, 1e-15);
+  EXPECT_NEAR(values[3], 7.2 - 2 * std::numbers::pi, 1e-15) << "without limits";
+  EXPECT_NEAR(values[4], 7.2 - 2 * std::numbers::pi, 1e-15) << "beyond them";
+  EXPECT_LT(distance(arm, values, given), 1e-12);
 }
 
 TEST(Turns, ThatAreTooManyAreRefusedByTheJointsName) {

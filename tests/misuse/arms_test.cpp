@@ -28,6 +28,8 @@ TEST(MisuseTest, AnArmTakesOneFiniteValueForEachJoint) {
   expect_refused([&] { return nearest_turns(arm, Eigen::VectorXd::Zero(6), three); }, "6 joints");
   expect_refused([&] { return distance_from(arm, three, Eigen::VectorXd::Zero(6)); }, word);
   expect_refused([&] { return is_on(arm, SelfMotion{}, three, 0.1); }, word);
+  expect_refused([&] { return contains(arm, ArmResult{}, SelfMotion{}, three); }, word);
+  expect_refused([&] { return misfit_of(arm, Eigen::Isometry3d::Identity(), three); }, word);
   Eigen::VectorXd placed = three;
   expect_refused([&] { return place_in_limits(arm, placed); }, word);
   expect_refused([&] { return forward_kinematics(arm, Eigen::VectorXd::Constant(6, kNaN)); },

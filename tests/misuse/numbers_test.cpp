@@ -346,6 +346,16 @@ TEST(NumbersTest, OfArmsAndTheirPosesAreFinite) {
          motion.values = values;
          (void)is_on(arm, motion, spoiled(n), 0.1);
        }},
+      {"value of a miss", [&](double n) { misfit_of(arm, pose, spoiled(n)); }},
+      {"pose of a miss", [&](double n) { misfit_of(arm, displaced(n), values); }},
+      {"miss within which a set is met",
+       [&](double n) {
+         ArmResult result;
+         result.pose = pose;
+         SelfMotion motion;
+         motion.values = values;
+         (void)contains(arm, result, motion, values, n);
+       }},
       {"value of turns", [&](double n) { all_turns(arm, spoiled(n)); }},
       {"value of nearest turns", [&](double n) { nearest_turns(arm, spoiled(n), values); }},
       {"where an arm stands", [&](double n) { nearest_turns(arm, values, spoiled(n)); }},

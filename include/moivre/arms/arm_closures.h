@@ -89,7 +89,8 @@ struct ArmCounts {
   std::uint64_t rejected = 0;       ///< roots that are no closures
 };
 
-/// factors . values = value, turns modulo whole ones.
+/// factors . values = value, turns modulo whole ones; where a turn has the factor 1 or -1 the value
+/// is in (-pi, pi].
 struct JointRelation {
   Eigen::VectorXd factors;
   double value = 0;
@@ -98,7 +99,7 @@ struct JointRelation {
 /// A set of postures that hold the pose: the tip stands while the joints move along it.
 struct SelfMotion {
   int dimension = 1;
-  Eigen::VectorXd values;      ///< of one posture
+  Eigen::VectorXd values;      ///< of one posture, turns in (-pi, pi]
   Eigen::MatrixXd directions;  ///< a unit column for each dimension: how its joints may move
   Twist lost;                  ///< unit: how the tip cannot move from there
   /// That hold on the whole set, where it is a piece of a plane in joint space, for the joints that
@@ -113,9 +114,16 @@ struct SelfMotion {
   bool within_digits = false;
 };
 
+/// By how much the tip misses a pose: two numbers that no common unit has.
+struct PoseMisfit {
+  double position = 0;  ///< the file's unit, metres
+  double rotation = 0;  ///< radians
+};
+
 struct NearestPosture {
   Eigen::VectorXd values;
-  double misfit = 0;  ///< radians, and lengths beside the arm's
+  double misfit = 0;  ///< the larger of both: radians, and lengths beside the arm's
+  PoseMisfit apart;
 };
 
 struct ArmResult {
@@ -144,8 +152,18 @@ struct ArmResult {
 /// radians and arm's lengths.
 bool is_on(const Arm& arm, const SelfMotion& motion, const Eigen::VectorXd& values, double within);
 
-/// Adds whole turns to `values` where that brings a joint between its limits; the joints that are
-/// beyond them all the same.
+/// By how much the tip misses the pose at these joint values.
+PoseMisfit misfit_of(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& values);
+
+/// Whether the posture holds the result's pose, missing it by `within` at most (metres and radians;
+/// 0: as the pose is accurate, or the set misses it), and is on this set of the result, as far as
+/// the set's samples show: a closure beside a set, nearer than the samples are apart, is not told
+/// from it.
+bool contains(const Arm& arm, const ArmResult& result, const SelfMotion& motion,
+              const Eigen::VectorXd& values, double within = 0);
+
+/// Adds whole turns to `values` where that brings a joint between its limits; other turns are in
+/// (-pi, pi] then. Returns the joints that are beyond their limits all the same.
 std::vector<std::size_t> place_in_limits(const Arm& arm, Eigen::VectorXd& values);
 
 /// With `options.start` automatic, the start is the one that is known to be best here.

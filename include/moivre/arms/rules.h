@@ -22,6 +22,9 @@ void require_unbroken(const Arm& arm);
 /// Throws InvalidInput where values are not one finite number for each joint.
 void require_values(const Arm& arm, const Eigen::VectorXd& values);
 
+/// The rotation nearest to a matrix R = U sigma V^T that is nearly one: U V^T.
+Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& R);
+
 /// The pose with the nearest rotation; the same pose where that is off by rounding only. Throws
 /// InvalidInput as above; `name` is what messages call it: "the pose", "pose 3".
 Eigen::Isometry3d workable_pose(const Eigen::Isometry3d& pose, const std::string& name);
