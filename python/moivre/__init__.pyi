@@ -278,6 +278,8 @@ class Mobility:
     is_assembled: bool
     q: _Floats
     null_space: _Floats
+    json: str
+    text: str
     def to_json(self, path: Optional[_Path] = ...) -> Optional[str]: ...
 
 class Newton:
@@ -290,6 +292,8 @@ class Newton:
     rank: int
     is_singular: bool
     condition: float
+    json: str
+    text: str
     def __len__(self) -> int: ...
     def to_json(self, path: Optional[_Path] = ...) -> Optional[str]: ...
 

@@ -142,8 +142,18 @@ class Closures(_Reported):
     moves : bool
         Closures form a set: with the drivers held, something moves.
     q : ndarray of float, shape (closures, n)
+    ids : list of str
+        "A", "B", ...
     names : list of str
         Of the coordinates.
+    time : float
+        Of the drivers, seconds.
+    message : str
+        What is known, a sentence.
+    paths : dict
+        tracked = finite + at_infinity + failed.
+    svg : str
+        The picture of the command line.
 
     Examples
     --------
@@ -250,11 +260,12 @@ class Branch:
     ----------
     id : str
     t : ndarray of float, shape (k,)
-        Seconds.
+        Seconds: the times begin + i (end - begin) / steps of the motion that lie between `begins` and `ends`. Where a branch ends
+        between two of them, `ends` is behind the last t, and `event` has the place: `event.t`, `event.q`.
     q, velocity, acceleration : ndarray of float, shape (k, n)
         Angles in radians, going on past half a turn; NaN where the velocity is not unique.
     begins, ends : float
-        Seconds.
+        Seconds, exact to rounding; not samples unless they happen to be times of t.
     begin_event, event : Event or None
         Where it begins and ends; None at the ends of the motion.
     complete : bool
@@ -285,11 +296,15 @@ class Motion(_Reported):
     ----------
     complete : bool
         Every branch was followed to an event or to the end, and the checkpoints agree.
+    message : str
+        What is known, a sentence.
     branches : list of Branch
     events : list of Event
     names : list of str
         Of the coordinates.
     failures : list of str
+    svg : str
+        The picture of the command line.
 
     Examples
     --------
@@ -346,6 +361,8 @@ class Sweep(_Reported):
         `s.real.reshape(s.shape)` is the grid.
     complete : bool
         All samples are decided.
+    svg : str
+        The picture of the command line.
 
     Examples
     --------
@@ -444,7 +461,7 @@ class Sensitivity(_Told):
         for name, names in ((quantity, self.quantities), (dimension, self.dimensions)):
             if name not in names:
                 raise KeyError(f"{name}: there are {', '.join(names)}")
-        rates = self._closures[closure].rates
+        rates = self[closure].rates
         return float(rates[self.quantities.index(quantity), self.dimensions.index(dimension)])
 
     def __repr__(self):
@@ -499,6 +516,8 @@ class Mobility:
     q : ndarray of float, shape (n,)
         The pose.
     null_space : ndarray of float, shape (n, degrees_of_freedom)
+    json, text : str
+        What `moivre mobility` writes.
 
     Examples
     --------
@@ -552,6 +571,8 @@ class Newton:
         Of the constraints' Jacobian at q.
     is_singular : bool
     condition : float
+    json, text : str
+        What `moivre newton` writes.
     """
 
     converged: bool

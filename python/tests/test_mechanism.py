@@ -111,6 +111,17 @@ def test_newton_ends_with_angles_as_closures_have_them(four_bar):
     assert json.loads(run.to_json())["coordinates"]["coupler.phi"] == run.q[5]
 
 
+def test_a_branch_ends_behind_its_last_sample():
+    spec = json.loads(json.dumps(DICT))
+    spec["body"]["crank"]["points"]["B"] = [75, 0]     # the crank rocks
+    motion = moivre.Mechanism(spec).motion(steps=50)
+    assert motion.events
+    for branch in motion.branches:
+        if branch.event:
+            assert branch.t[-1] <= branch.ends and math.isclose(branch.ends, branch.event.t, rel_tol=1e-12)
+            assert branch.t[-1] + 1 / 50 > branch.ends
+
+
 def test_a_closure_that_is_not_there_is_refused_by_its_number(four_bar):
     m = moivre.Mechanism(four_bar)
     for ask in (lambda: m.closures()[2], lambda: m.sensitivity()[2], lambda: m.sensitivity().rate("coupler.P.y", "crank.A.x", 2)):

@@ -6,7 +6,7 @@ import os
 import re
 
 import pytest
-from conftest import ROOT
+from conftest import PROBLEMS, ROOT
 
 import moivre
 
@@ -34,6 +34,55 @@ def told_members():
 def test_every_function_that_is_typed_exists():
     for name, member in told_members():
         assert hasattr(getattr(moivre, name), member), f"{name}.{member}"
+
+
+def results():
+    """One of each class that a call returns."""
+    r = moivre.solve(["x^2 + y^2 - 4", "x*y - 1"])
+    yield from (r, r[0], moivre.info("x^2 - 2"), moivre.check(["x^2 + y^2 - 4", "x*y - 1"], r))
+    f = moivre.Family.learn(["x^2 - a"], parameters=["a"])
+    yield from (f, f.solve([[2.0]]))
+    m = moivre.Mechanism(PROBLEMS / "mechanisms" / "four-bar.toml")
+    rocker = moivre.Mechanism({
+        "ground": {"points": {"A": [0, 0], "D": [4, 0]}},
+        "body": {"crank": {"points": {"A": [0, 0], "B": [3, 0]}}, "rocker": {"points": {"D": [0, 0], "C": [2, 0]}}},
+        "joint": [{"type": "revolute", "at": ["ground.A", "crank.A"]}, {"type": "revolute", "at": ["ground.D", "rocker.D"]},
+                  {"type": "rod", "at": ["crank.B", "rocker.C"], "length": 2}],
+        "driver": [{"angle": "crank", "start": 1.0, "velocity": 1.0}]}).motion(steps=8)
+    yield from (m, m.closures(), m.closures()[0], rocker, rocker.branches[0], rocker.events[0])
+    yield m.sweep({"coupler.B.x": (100, 200, 2)}, borders=False)
+    yield from (m.sensitivity(), m.sensitivity()[0], m.guesses(), m.mobility(), m.newton())
+    arm = moivre.Arm(PROBLEMS / "robots" / "puma560.urdf")
+    far = arm.fk([0, 0, 0, 0, 0, 0])
+    far[0, 3] = 9
+    q = arm.ik(arm.fk([0.1, -0.5, 0.3, 0.4, 0, 0.6]))
+    yield from (arm, q, q.motions(0)[0], arm.ik(far).nearest_posture())
+
+
+def public(thing):
+    return {name for name in dir(thing) if not name.startswith("_")}
+
+
+def test_the_page_and_the_types_name_all_that_a_result_has():
+    page = (ROOT / "docs" / "python.md").read_text(encoding="utf-8").partition("## What a result has")[2].partition("\n## ")[0]
+    told = {row[0]: set(re.findall(r"`(\w+)`", row[1])) for row in re.findall(r"^\| `(\w+)` \| (.*) \|$", page, re.MULTILINE)}
+    tree = ast.parse((ROOT / "python" / "moivre" / "__init__.pyi").read_text(encoding="utf-8"))
+    typed = {}
+    for node in tree.body:
+        if isinstance(node, ast.ClassDef):
+            names = {m.target.id if isinstance(m, ast.AnnAssign) else m.name for m in node.body
+                     if isinstance(m, (ast.AnnAssign, ast.FunctionDef)) and not getattr(m, "name", "").startswith("_")}
+            typed[node.name] = names.union(*(typed.get(getattr(base, "id", ""), ()) for base in node.bases))
+    seen = set()
+    for thing in results():
+        name = type(thing).__name__
+        seen.add(name)
+        assert told.get(name) == public(thing), name
+        assert typed[name] == public(thing), name
+        documented = set(re.findall(r"\w+", type(thing).__doc__))
+        assert {a for a in public(thing) if not callable(getattr(type(thing), a, None))} <= documented, name
+    # A Body has the coordinates of its mechanism, an exception is no result.
+    assert seen == set(told) == {name for name in moivre.__all__ if inspect.isclass(getattr(moivre, name))} - {"Body", "ParseError"}
 
 
 def typed_functions():
