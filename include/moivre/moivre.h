@@ -21,6 +21,7 @@
 
 #if __has_include("moivre/solver/solve.h")
 #include "moivre/solver/cross_check.h"
+#include "moivre/solver/digits.h"
 #include "moivre/solver/filter.h"
 #include "moivre/solver/solve.h"
 #endif

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: MIT
+# Does docs/library.md list every program of examples/, no other one, and say how many there are?
+include(${CMAKE_CURRENT_LIST_DIR}/text.cmake)
+set(page ${ROOT}/docs/library.md)
+read_text(text ${page})
+
+file(GLOB examples RELATIVE ${ROOT}/examples ${ROOT}/examples/*.cpp)
+string(REGEX MATCHALL "\n\\| `[a-z_]+\\.cpp` \\|" rows "${text}")
+list(TRANSFORM rows REPLACE "[^a-z_.]" "")
+foreach(example IN LISTS examples)
+  if(NOT example IN_LIST rows)
+    fault(${page} "does not list examples/${example}")
+  endif()
+endforeach()
+foreach(row IN LISTS rows)
+  if(NOT row IN_LIST examples)
+    fault(${page} "lists ${row}, which is not in examples/")
+  endif()
+endforeach()
+
+set(words zero one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen)
+list(LENGTH examples count)
+list(GET words ${count} word)
+if(NOT text MATCHES "`examples/` has ${word} programs")
+  fault(${page} "does not say that examples/ has ${word} programs")
+endif()
+finish()
