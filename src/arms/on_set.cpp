@@ -118,8 +118,9 @@ bool contains(const Arm& arm, const ArmResult& result, const SelfMotion& motion,
   const double most =
       within > 0 ? within / std::min(1.0, arm.length) : std::max(result.accuracy, motion.misfit);
   if (std::max(miss.position / arm.length, miss.rotation) > most) return false;
-  // Where closures meet the tip is missed by the square of the way.
-  return is_on(arm, motion, values, std::sqrt(std::max(most, kReach)));
+  // Where closures meet the tip is missed by the square of the way. Samples tell no more than they
+  // are apart.
+  return is_on(arm, motion, values, std::min(std::sqrt(std::max(most, kReach)), kStep));
 }
 
 }  // namespace moivre
