@@ -183,9 +183,9 @@ def _sides(equation, what):
 def _of_expressions(equations, variables, parameters):
     import sympy
     given = [side for k, equation in enumerate(equations) for side in _sides(equation, f"equation {k + 1}")]
-    floats = set().union(*(side.atoms(sympy.Float) for side in given)) if given else set()
+    is_exact = not any(side.has(sympy.Float) for side in given)
     # Beside a float sympy would round every other number.
-    expressions = [side.xreplace({x: sympy.Rational(x) for x in floats}) for side in given]
+    expressions = [side.xreplace({x: sympy.Rational(x) for x in side.atoms(sympy.Float)}) for side in given]
     symbols = _symbols(expressions, variables, parameters)
     if not symbols:
         raise ValueError("the equations have no unknown")
@@ -195,8 +195,8 @@ def _of_expressions(equations, variables, parameters):
             raise ValueError(f"equation {k + 1}: {', '.join(stray)} is neither an unknown nor a parameter")
     terms = [_polynomial_terms(expression, symbols) for expression in expressions]
     if None in terms:
-        return _of_typed(expressions, symbols, not floats)
-    return _moivre.system_of_terms([str(s) for s in symbols], _shaped(terms, len(symbols)), not floats)
+        return _of_typed(expressions, symbols, is_exact)
+    return _moivre.system_of_terms([str(s) for s in symbols], _shaped(terms, len(symbols)), is_exact)
 
 
 def _symbols(expressions, variables, parameters):

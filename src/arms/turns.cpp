@@ -9,6 +9,7 @@
 
 #include "moivre/arms/rules.h"
 #include "moivre/numeric/invalid_input.h"
+#include "tip.h"
 
 namespace moivre {
 namespace {
