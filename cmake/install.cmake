@@ -24,11 +24,16 @@ if(TARGET moivre)
   if(TARGET moivre_mpi)
     install(TARGETS moivre_mpi COMPONENT program)
   endif()
-  # What one reads, and what one tries first.
-  file(GLOB pages ${PROJECT_SOURCE_DIR}/docs/*.md)
+  # What one reads, as it stands in the source tree, so that links between pages hold; and what one tries first.
+  include(${CMAKE_CURRENT_LIST_DIR}/installed_pages.cmake)
+  file(GLOB pages CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/docs/*.md)
   list(FILTER pages EXCLUDE REGEX "/(walkthrough|notation|seed-pages|gallery)\\.md$")
-  install(FILES ${pages} ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
-  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/schema DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+  moivre_installed_pages(${PROJECT_SOURCE_DIR} pages README.md ${pages})
+  foreach(page IN LISTS pages)
+    cmake_path(GET page PARENT_PATH folder)
+    install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION ${CMAKE_INSTALL_DOCDIR}/${folder} COMPONENT program)
+  endforeach()
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/schema DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT program)
   set(problems ${PROJECT_SOURCE_DIR}/problems)
   install(FILES ${problems}/polynomials/puma.phc ${problems}/polynomials/cassou.phc ${problems}/mechanisms/four-bar.toml
     ${problems}/robots/puma560.urdf ${problems}/robots/ur5.urdf
