@@ -49,3 +49,12 @@ install(FILES ${PROJECT_BINARY_DIR}/moivreConfig.cmake ${PROJECT_BINARY_DIR}/moi
   DESTINATION ${package_dir} COMPONENT development)
 include(${CMAKE_CURRENT_LIST_DIR}/pkg_config.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/packages_of_debian.cmake)
+
+# All that is laid down, without the tests.
+add_custom_target(moivre_to_install)
+list(TRANSFORM installed_modules PREPEND moivre_ OUTPUT_VARIABLE to_build)
+foreach(target IN LISTS to_build ITEMS moivre moivre_mpi moivre_share moivre_python)
+  if(TARGET ${target})
+    add_dependencies(moivre_to_install ${target})
+  endif()
+endforeach()
