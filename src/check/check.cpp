@@ -187,9 +187,10 @@ void judge_completeness(const Claims& claims, const StandIn& stand_in, Verdicts&
                                "\"shown\" rests on paths, which are not followed here");
   }
   if (claims.left_out > 0) {
-    return verdicts.leave_open(
-        ClaimKind::completeness,
-        "\"proved\" of all roots, and " + std::to_string(claims.left_out) + " are not listed");
+    return verdicts.leave_proof_open(
+        ClaimKind::completeness, "\"proved\" of all roots, and " + std::to_string(claims.left_out) +
+                                     " are not listed: left out by a filter, a condition or a "
+                                     "denominator that is zero");
   }
   if (!stand_in.has_all_roots) {
     return verdicts.refute(ClaimKind::completeness,

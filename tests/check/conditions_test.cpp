@@ -148,6 +148,12 @@ TEST(CheckLeftOut, RootsThatWereNotAskedForAreMissingNowhere) {
   EXPECT_TRUE(judgement.holds()) << lines(judgement.refuted);
 }
 
+TEST(CheckLeftOut, ThatThereIsNoOtherRootIsNotVerifiedWhereSomeAreNotListed) {
+  const Judgement judgement = judged("plane", one_of_four());
+  EXPECT_EQ(judgement.unverified_proofs, 1U) << lines(judgement.open);
+  EXPECT_FALSE(judgement.proofs_hold());
+}
+
 TEST(CheckLeftOut, FewerThanExactAlgebraCountsAreRefuted) {
   Json result = one_of_four();
   result["filtered"] = 2;

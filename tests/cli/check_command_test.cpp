@@ -95,12 +95,29 @@ TEST(CheckCommand, RefutesARootThatDoesNotMeetAConditionOfTheFile) {
   scene.write("wanted.txt", circle + "x > 0\nx*y <= 2\n");
   scene.run({"solve", "wanted.txt", "--quiet", "--json", "wanted.json"});
   const Outcome honest = scene.run({"check", "wanted.txt", "wanted.json"});
-  EXPECT_EQ(honest.exit_code, 0) << honest.out;
+  EXPECT_EQ(honest.exit_code, 2) << "the two others are not listed\n" << honest.out;
+  EXPECT_TRUE(contains(honest.out, "\nEvery claim that can be verified holds.\n")) << honest.out;
   EXPECT_TRUE(contains(honest.out, "  inequality        4       0       0\n")) << honest.out;
   scene.run({"solve", "all.txt", "--quiet", "--json", "all.json"});
   const Outcome lie = scene.run({"check", "wanted.txt", "all.json"});
   EXPECT_EQ(lie.exit_code, 2);
   EXPECT_TRUE(contains(lie.out, "inequality: does not meet x > 0\n")) << lie.out;
+}
+
+TEST(CheckCommand, AProofOfRootsThatAFilterLeftOutEndsWithExitCodeTwo) {
+  if (!MOIVRE_WITH_CERTIFY) GTEST_SKIP() << "needs certificates";
+  const Scene scene;
+  scene.write("curves.txt", "x^2 + y^2 = 5\nx*y = 2\n");
+  const auto checked = [&](const std::string& filter) {
+    const Outcome solved =
+        scene.run({"solve", "curves.txt", "--quiet", "--json", "r.json", filter});
+    EXPECT_EQ(solved.exit_code, 0) << filter << solved.err;
+    return scene.run({"check", "curves.txt", "r.json"});
+  };
+  EXPECT_EQ(checked("--real").exit_code, 0) << "all four are real";
+  const Outcome outcome = checked("--positive");
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "and 2 are not listed")) << outcome.out;
 }
 
 TEST(CheckCommand, FindsWhatWasChanged) {
