@@ -217,6 +217,7 @@ std::optional<DriverLaw> read_value(Reading& reading, const toml::table& entry, 
   const Expression expression =
       parse_expression(*text, reading.text_begin(node, *text), reading.faults());
   const bool is_parsed = reading.faults().size() == before;
+  if (!is_parsed) check_names(reading, node, *text, Names{});
   const auto formula = is_parsed ? read_formula(reading, expression, Names{}) : std::nullopt;
   reading.place_faults(node, *text, before);
   if (!formula) return std::nullopt;

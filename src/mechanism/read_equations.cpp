@@ -123,6 +123,7 @@ void read_equations(Reading& reading, const toml::table& document, Mechanism& me
     if (!text) continue;
     const std::size_t before = reading.faults().size();
     const auto expression = read_expression(reading, node, *text);
+    if (!expression) check_names(reading, node, *text, names);
     const auto formula = expression ? read_formula(reading, *expression, names) : std::nullopt;
     reading.place_faults(node, *text, before);
     if (!formula) continue;

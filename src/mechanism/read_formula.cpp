@@ -3,6 +3,8 @@
 // refused with the reason.
 #include "read_formula.h"
 
+#include <algorithm>
+
 #include "refusals.h"
 
 namespace moivre {
@@ -41,6 +43,24 @@ std::optional<Expression> read_expression(Reading& reading, const toml::node& no
   }
   if (reading.faults().size() != faults_before) return std::nullopt;
   return left;
+}
+
+void check_names(Reading& reading, const toml::node& node, const std::string& text,
+                 const Names& names) {
+  SourcePosition begin = reading.text_begin(node, text);
+  std::vector<Diagnostic> known_faults;
+  const auto resolve_summand = [&](const Expression& summand) {
+    resolve(summand, names, reading.faults());
+  };
+  std::size_t at = 0;
+  while (at <= text.size()) {
+    const std::size_t end = std::min(text.find('=', at), text.size());
+    parse_summands(std::string_view(text).substr(at, end - at), begin, known_faults,
+                   resolve_summand);
+    begin.offset += end + 1 - at;
+    begin.column += end + 1 - at;
+    at = end + 1;
+  }
 }
 
 std::optional<Formula> read_formula(Reading& reading, const Expression& expression,

@@ -15,6 +15,11 @@ bool refuse_constraint(Reading& reading, const toml::node& node, const std::stri
 std::optional<Expression> read_expression(Reading& reading, const toml::node& node,
                                           const std::string& text);
 
+/// Of a text, perhaps with `=`, that cannot be parsed: appends the unknown names of the summands
+/// that can be, so that a fault of form hides none of these.
+void check_names(Reading& reading, const toml::node& node, const std::string& text,
+                 const Names& names);
+
 /// Expression and names to a formula; nothing and faults where a name is unknown.
 std::optional<Formula> read_formula(Reading& reading, const Expression& expression,
                                     const Names& names);

@@ -67,14 +67,18 @@ std::string typed(const Side& left, const Side& right) {
          in_one_line(right.text);
 }
 
-/// Appends a fault for each name that is no unknown.
-void check_names(const Statement& statement, const Environment& names,
-                 std::vector<Diagnostic>& faults) {
+/// Appends a fault for each name that is no unknown. Returns the names with these as further
+/// unknowns, so that they hide no other fault.
+Environment check_names(const Statement& statement, const Environment& names,
+                        std::vector<Diagnostic>& faults) {
+  Environment all = names;
   for (const NamePlace& place : names_in(statement.text, statement.begin)) {
-    if (names.count(std::string(place.name)) > 0) continue;
-    faults.push_back({place.at, "`" + std::string(place.name) +
-                                    "` occurs in this condition and in no equation"});
+    const std::string name(place.name);
+    if (names.count(name) > 0) continue;
+    faults.push_back({place.at, "`" + name + "` occurs in this condition and in no equation"});
+    all.emplace(name, unknown(static_cast<std::uint32_t>(all.size())));
   }
+  return all;
 }
 
 }  // namespace
@@ -99,11 +103,12 @@ void read_condition(const Statement& statement, const Environment& names, System
     const std::string fault = fault_between(sides[k], sides[k + 1]);
     if (!fault.empty()) faults.push_back({after(sides[k].begin, sides[k].text), fault});
   }
-  check_names(statement, names, faults);
-  if (faults.size() > before) return;
+  const bool has_sides = faults.size() == before;
+  const Environment all = check_names(statement, names, faults);
+  if (!has_sides) return;
   Expander expander(faults);
   std::vector<std::optional<Polynomial>> values;
-  for (const Side& side : sides) values.push_back(expander.expand(side.text, side.begin, names));
+  for (const Side& side : sides) values.push_back(expander.expand(side.text, side.begin, all));
   if (faults.size() == before && !expander.denominators().empty()) {
     // p/q > 0 asks for the sign of p q, and p q = 0 where q is: the condition would be another.
     faults.push_back({statement.begin, "a condition does not divide by unknowns"});
