@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "moivre/expression/words.h"
 #include "refusals.h"
 
 namespace moivre {
@@ -25,15 +26,18 @@ std::optional<Expression> read_expression(Reading& reading, const toml::node& no
   if (refuse_constraint(reading, node, text)) return std::nullopt;
   const std::size_t faults_before = reading.faults().size();
   const SourcePosition begin = reading.text_begin(node, text);
-  const std::size_t equals = text.find('=');
+  const EqualsSign equals = equals_sign(text);
+  const bool has_sides = equals.length > 0;
   Expression left =
-      parse_expression(std::string_view(text).substr(0, equals), begin, reading.faults());
-  if (equals != std::string::npos) {
+      parse_expression(std::string_view(text).substr(0, has_sides ? equals.at : text.size()), begin,
+                       reading.faults());
+  if (has_sides) {
+    const std::size_t sign_end = equals.at + equals.length;
     SourcePosition behind = begin;
-    behind.offset += equals + 1;
-    behind.column += equals + 1;
+    behind.offset += sign_end;
+    behind.column += sign_end;
     Expression right =
-        parse_expression(std::string_view(text).substr(equals + 1), behind, reading.faults());
+        parse_expression(std::string_view(text).substr(sign_end), behind, reading.faults());
     Expression minus_right{Expression::Kind::negate, right.at, {}, {}, {}};
     minus_right.operands.push_back(std::move(right));
     Expression difference{Expression::Kind::sum, begin, {}, {}, {}};

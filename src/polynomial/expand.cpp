@@ -425,17 +425,23 @@ std::vector<Polynomial> Expander::denominators() const {
 std::optional<Polynomial> Expander::expand_equation(std::string_view text,
                                                     const SourcePosition& begin,
                                                     const Environment& names) {
-  const std::size_t sign = text.find('=');
-  if (sign == std::string_view::npos || text.find('=', sign + 1) != std::string_view::npos) {
-    return expand(text, begin, names);
+  const EqualsSign sign = equals_sign(text);
+  if (sign.length == 0) return expand(text, begin, names);
+  const std::string_view left_side = text.substr(0, sign.at);
+  const std::string_view right_side = text.substr(sign.at + sign.length);
+  const SourcePosition at = after(begin, left_side);
+  const SourcePosition behind = after(at, text.substr(sign.at, sign.length));
+  if (const EqualsSign second = equals_sign(right_side); second.length > 0) {
+    const std::string_view between = right_side.substr(0, second.at);
+    expand(left_side, begin, names);
+    if (!trimmed(between).empty()) expand(between, behind, names);
+    return refuse(after(behind, between), "a second `=`; an equation has one");
   }
-  const SourcePosition at = after(begin, text.substr(0, sign));
-  const SourcePosition behind = after(at, "=");
-  if (trimmed(text.substr(0, sign)).empty() || trimmed(text.substr(sign + 1)).empty()) {
+  if (trimmed(left_side).empty() || trimmed(right_side).empty()) {
     return refuse(at, "a side of this `=` is missing");
   }
-  const Value left = expand(text.substr(0, sign), begin, names);
-  const Value right = expand(text.substr(sign + 1), behind, names);
+  const Value left = expand(left_side, begin, names);
+  const Value right = expand(right_side, behind, names);
   if (!left || !right) return std::nullopt;
   return *left - *right;
 }

@@ -10,6 +10,7 @@
 
 #include "expand.h"
 #include "moivre/expression/counted.h"
+#include "moivre/expression/words.h"
 #include "number_functions.h"
 #include "read_formats.h"
 #include "statements.h"
@@ -102,10 +103,11 @@ std::size_t heading_in(std::string_view text) {
   return text.size();
 }
 
-/// The lines that hold something; none unless each has one `=` or is a condition, so that no line
-/// can go on with another.
-std::vector<Statement> equations_by_line(const Statement& text) {
-  std::vector<Statement> equations;
+bool has_equals(std::string_view text) { return equals_sign(text).length > 0; }
+
+/// The lines that hold something.
+std::vector<Statement> lines_of(const Statement& text) {
+  std::vector<Statement> lines;
   std::string_view rest = text.text;
   SourcePosition at = text.begin;
   while (!rest.empty()) {
@@ -113,15 +115,41 @@ std::vector<Statement> equations_by_line(const Statement& text) {
     const std::string_view line = trimmed(raw);
     const auto lead = static_cast<std::size_t>(line.data() - raw.data());
     const SourcePosition end = after(at, raw);
-    if (!line.empty()) {
-      const bool is_equation = std::count(line.begin(), line.end(), '=') == 1;
-      if (!is_equation && !is_condition(line)) return {};
-      equations.push_back({line, after(at, raw.substr(0, lead)), end, true});
-    }
+    if (!line.empty()) lines.push_back({line, after(at, raw.substr(0, lead)), end, true});
     at = raw.size() < rest.size() ? after(end, "\n") : end;
     rest.remove_prefix(std::min(raw.size() + 1, rest.size()));
   }
-  return equations;
+  return lines;
+}
+
+/// Appends a fault for each place, the last one with a count of what is not listed.
+void add_faults(const std::vector<SourcePosition>& places, const std::string& message,
+                std::vector<Diagnostic>& faults) {
+  const std::size_t listed = std::min(places.size(), kListed);
+  for (std::size_t k = 0; k < listed; ++k) faults.push_back({places[k], message});
+  if (places.size() > listed) {
+    faults.back().message +=
+        "\n  and so at " + std::to_string(places.size() - listed) + " more lines";
+  }
+}
+
+/// Of a text without `;`: the equations and conditions, one a line. None where no line is either;
+/// where some are, each other line is a fault.
+std::vector<Statement> equations_by_line(const Statement& text, std::vector<Diagnostic>& faults) {
+  std::vector<Statement> lines = lines_of(text);
+  const auto is_statement = [](const Statement& line) {
+    return has_equals(line.text) || is_condition(line.text);
+  };
+  const auto others = std::stable_partition(lines.begin(), lines.end(), is_statement);
+  std::vector<SourcePosition> unread;
+  for (auto line = others; line != lines.end(); ++line) unread.push_back(line->begin);
+  lines.erase(others, lines.end());
+  if (lines.empty()) return lines;
+  add_faults(unread,
+             "this line has no `=`, and an equation stands on one line; where one goes on over "
+             "several, every equation ends with `;`",
+             faults);
+  return lines;
 }
 
 /// Conditions among the equations; no count line counts them.
@@ -146,7 +174,7 @@ Layout statements_of(const Source& source, std::vector<Diagnostic>& faults) {
     if (heading < piece.size() || piece.size() == ahead.size()) {
       layout.rest = StatementCursor(piece.substr(0, heading), cursor.position()).next();
       if (!layout.count && layout.polynomials.empty()) {
-        layout.polynomials = equations_by_line(layout.rest);
+        layout.polynomials = equations_by_line(layout.rest, faults);
         if (!layout.polynomials.empty()) layout.rest = {};
       }
       return layout;
@@ -244,6 +272,35 @@ std::string missing_end_hint(const Statement& rest) {
          " has no `;` behind it: " + first_line(rest.text);
 }
 
+/// Behind which `;` stands first, as a message says it.
+std::string why_each_needs_it(const Layout& layout) {
+  const Statement& first = layout.polynomials.front();
+  return ": where one equation has it (line " + std::to_string(first.end.line) + "), each needs it";
+}
+
+/// The lines of a statement that end an equation without a `;`, since the next one has its own `=`.
+std::vector<SourcePosition> unended_equations(const Statement& statement) {
+  std::vector<SourcePosition> ends;
+  for (const Statement& line : lines_of(statement)) {
+    if (has_equals(line.text) && !is_condition(line.text)) ends.push_back(line.begin);
+  }
+  if (!ends.empty()) ends.pop_back();
+  return ends;
+}
+
+/// Why is there no equation in a text without a count line?
+std::string no_equation(const Layout& layout) {
+  const std::string_view text = layout.rest.text;
+  if (!layout.conditions.empty()) return "no equation found: the file has conditions alone";
+  if (text.empty()) return "no equation found: the file has comments or headings alone";
+  const bool has_sign = text.find_first_of("*/^()=") != std::string_view::npos;
+  if (!has_sign && names_in(text, layout.rest.begin).empty()) {
+    return "no equation found: the file has numbers alone";
+  }
+  return "no equation found: one equation a line has one `=`, as in x + y = 1; without `=`, each "
+         "ends with `;`";
+}
+
 /// A condition behind the last `;`, which text that is no mathematics would be left alone.
 void check_last_condition(const Layout& layout, std::vector<Diagnostic>& faults) {
   Statement line = layout.rest;
@@ -258,13 +315,11 @@ void check_polynomial_count(const Layout& layout, std::vector<Diagnostic>& fault
   const bool has_rest = !layout.rest.text.empty();
   if (!layout.count) {
     if (found == 0) {
-      faults.push_back(
-          {layout.rest.begin,
-           "no polynomial found: each one ends with `;` (equations with one `=` each may "
-           "stand a line each without)"});
+      if (faults.empty()) faults.push_back({layout.rest.begin, no_equation(layout)});
     } else if (has_rest &&
                (reads_like_mathematics(layout.rest.text) || is_expression(layout.rest))) {
-      faults.push_back({layout.rest.begin, "this polynomial has no `;` behind it"});
+      faults.push_back(
+          {layout.rest.begin, "this polynomial has no `;` behind it" + why_each_needs_it(layout)});
     }
     return;
   }
@@ -318,8 +373,9 @@ bool names_pi(const std::vector<Statement>& polynomials, std::string_view text) 
 void check_unknown_count(const Layout& layout, const std::vector<NamePlace>& unknowns,
                          std::vector<Diagnostic>& faults) {
   if (!layout.count || layout.count->unknowns == unknowns.size()) return;
-  // Polynomials too many may be prose; its words are no unknowns.
-  if (layout.polynomials.size() > layout.count->polynomials) return;
+  // Polynomials too many may be prose; its words are no unknowns. That there is none is said.
+  const std::size_t found = layout.polynomials.size();
+  if (found == 0 || found > layout.count->polynomials) return;
   std::string message = "expected " +
                         expected_count(layout.count->unknowns, "unknown", "unknowns") + ", found " +
                         counted(unknowns.size(), "name", "names");
@@ -365,6 +421,11 @@ System read_phcpack(const Source& source, std::vector<Diagnostic>& faults) {
   for (const Statement& statement : layout.polynomials) {
     if (statement.text.empty()) {
       faults.push_back({statement.begin, "a polynomial is missing before this `;`"});
+      continue;
+    }
+    const std::vector<SourcePosition> unended = unended_equations(statement);
+    if (!unended.empty()) {
+      add_faults(unended, "this equation has no `;` behind it" + why_each_needs_it(layout), faults);
       continue;
     }
     const auto typed = expander.expand_equation(statement.text, statement.begin, names);

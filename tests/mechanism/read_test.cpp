@@ -69,6 +69,18 @@ e = "x - b*cos(beta)"
   EXPECT_DOUBLE_EQ(m.constants.at("beta"), 180 * kDegree);
 }
 
+TEST(MechanismReader, TwoEqualsSignsTogetherStandForOne) {
+  const std::string head = "[unknowns]\nlengths = [\"x\"]\n[equations]\ne = ";
+  const Mechanism m = typed(head + "\"x^2 == 4\"\n");
+  const Mechanism once = typed(head + "\"x^2 =  4\"\n");
+  const auto length_of_sides = [](const Mechanism& each) {
+    return each.equations.at(0).expression.operands.size();
+  };
+  EXPECT_EQ(length_of_sides(m), 2U);
+  EXPECT_EQ(m.equations[0].expression.operands[1].operands[0].at.column,
+            once.equations[0].expression.operands[1].operands[0].at.column);
+}
+
 TEST(MechanismReader, GuessMayBeDottedOrQuoted) {
   const std::string body =
       "[ground.points]\nO=[0,0]\n[body.a.points]\nO=[0,0]\n[[joint]]\ntype=\"revolute\"\nat=["

@@ -140,7 +140,7 @@ TEST(PhcReader, SaysThatTheLastPolynomialLacksItsSemicolon) {
                 {{1, 1, "the text at line 3 has no `;` behind it: x + y"}});
   expect_faults("x - y;\nx + y\nTITLE : two lines\n",
                 {{2, 1, "this polynomial has no `;` behind it"}});
-  expect_faults("x - 1", {{1, 1, "no polynomial found: each one ends with `;`"}});
+  expect_faults("x - 1", {{1, 1, "no equation found: one equation a line has one `=`"}});
 }
 
 TEST(PhcReader, TakesEquationsALineEachWithoutSemicolons) {
@@ -152,12 +152,39 @@ TEST(PhcReader, TakesEquationsALineEachWithoutSemicolons) {
 }
 
 TEST(PhcReader, NeedsSemicolonsWhereALineMayGoOn) {
-  expect_faults("x^2 + y^2\n = 4\nx*y = 1\n", {{1, 1, "no polynomial found"}});
-  expect_faults("x + 1\n- y\n", {{1, 1, "no polynomial found"}});
-  expect_faults("x = 1, y = 2\n", {{1, 1, "no polynomial found"}});
-  expect_faults("2\nx = 1\ny = 2\n",
-                {{1, 1, "expected 2 polynomials, found 0"}, {1, 1, "expected 2 unknowns"}});
-  expect_faults("x = 1;\ny = 2\n", {{2, 1, "this polynomial has no `;` behind it"}});
+  expect_faults("x^2 + y^2\n = 4\nx*y = 1\n",
+                {{1, 1, "this line has no `=`"}, {2, 2, "a side of this `=` is missing"}});
+  expect_faults("x = 3\nx*y +\n y^2\n2*z = 1\n",
+                {{2, 1, "this line has no `=`"}, {3, 2, "every equation ends with `;`"}});
+  expect_faults("x + 1\n- y\n", {{1, 1, "no equation found: one equation a line"}});
+  expect_faults("x = 1, y = 2\n", {{1, 6, "unexpected character: `,`"}, {1, 10, "a second `=`"}});
+  expect_faults("2\nx = 1\ny = 2\n", {{1, 1, "expected 2 polynomials, found 0"}});
+}
+
+TEST(PhcReader, SaysWhyThereIsNoEquation) {
+  expect_faults("# a comment\n# alone\n", {{3, 1, "comments or headings alone"}});
+  expect_faults("1.5 2.5\n-3 4e5\n", {{1, 1, "the file has numbers alone"}});
+  expect_faults("1 2 3\n4 5 6\n", {{1, 1, "the count line holds 3 numbers"}});
+  expect_faults("hello world\n", {{1, 1, "no equation found: one equation a line has one `=`"}});
+  expect_faults("=\n", {{1, 1, "a side of this `=` is missing"}});
+}
+
+TEST(PhcReader, SaysThatOneSemicolonAsksForOthers) {
+  expect_faults("x = 1;\ny = 2\n",
+                {{2, 1, "no `;` behind it: where one equation has it (line 1), each needs it"}});
+  expect_faults("x = 1\ny = 2;\n",
+                {{1, 1, "no `;` behind it: where one equation has it (line 2), each needs it"}});
+  expect_faults(
+      "x + z = 1;\ny = 2\nx*z = 3\nz^2 = 1;\n",
+      {{2, 1, "this equation has no `;` behind it"}, {3, 1, "this equation has no `;` behind it"}});
+}
+
+TEST(PhcReader, TakesTwoEqualsSignsTogetherForOne) {
+  EXPECT_EQ(system_of("x^2 == 4\nx*y==1\n"), system_of("x^2 = 4;\nx*y = 1;\n"));
+  EXPECT_EQ(system_of("x^2 == 4; y\n== 1;"), system_of("x^2 = 4; y = 1;"));
+  expect_faults("x === 1\n", {{1, 5, "a second `=`"}});
+  expect_faults("x = = 1\n", {{1, 5, "a second `=`"}});
+  expect_faults("x + = 1 = 2 y\n", {{1, 5, "expected a number"}, {1, 9, "a second `=`"}});
 }
 
 TEST(PhcReader, CountsPolynomialsTooMany) {
@@ -213,7 +240,7 @@ TEST(PhcReader, RefusesStrayAndMissingOperators) {
   expect_faults("1\nx - ;\n", {{2, 4, "but the expression ends here"}});
   expect_faults("1\nx*/2;\n", {{2, 3, "found the operator `/`"}});
   expect_faults("1\nx***2;\n", {{2, 4, "found the operator `*`"}});
-  expect_faults("1\nx^2 = 1 = 1;\n", {{2, 5, "`=` has no place in an expression"}});
+  expect_faults("1\nx^2 = 1 = 1;\n", {{2, 9, "a second `=`"}});
   expect_faults("1\nx^2 = ;\n", {{2, 5, "a side of this `=` is missing"}});
   expect_faults("1\nx^2 ! 1;\n", {{2, 5, "unexpected character: `!`"}});
   expect_faults("1\nx \xE2\x88\x92 1;\n",
