@@ -81,7 +81,10 @@ std::string roots_line(const SolveResult& result) {
   const std::uint64_t clusters = count([](const Solution& root) { return root.cluster; });
   if (clusters > 0) text += ", " + std::to_string(clusters) + " of them clusters";
   if (result.excess > 0) {
-    text += "; " + std::to_string(result.excess) + " of the squared-up system fail an equation";
+    text += "; " +
+            counted(result.excess, "root of the squared-up system fails",
+                    "roots of the squared-up system fail") +
+            " an equation";
   }
   if (result.on_denominators > 0) {
     text += "; " + std::to_string(result.on_denominators) + " more where a denominator is zero";

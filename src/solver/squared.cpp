@@ -51,6 +51,26 @@ void drop_excess(const System& f, SolveResult& result) {
   result.excess += drop_solutions_where(result, is_excess);
 }
 
+/// Of what was said where elimination left no unknown, only what holds of all equations stays.
+void tell_of_eliminated(const System& f, SolveResult& result) {
+  const bool was_eliminated =
+      result.complete && result.paths.tracked > 0 && result.reduced.variables.empty();
+  if (!was_eliminated) return;
+  const bool is_root = !result.solutions.empty();
+  if (f.variables.empty()) {
+    result.message = is_root ? "the equations have no unknowns, and hold: one root, the empty point"
+                             : "the equations have no unknowns, and contradict each other: no root";
+  } else if (!is_root) {
+    result.message =
+        "every unknown was eliminated: the root of the combinations is none of the file";
+  }
+}
+
+std::string dropped_text(std::uint64_t excess) {
+  return counted(excess, "root of the combinations fails", "roots of the combinations fail") +
+         " an equation of the file";
+}
+
 /// All equations of f vanish at fractions within what is known of the root.
 bool is_exact_root(const System& f, const Solution& root) {
   const auto near = fractions_near(root.x, root.accuracy);
@@ -165,9 +185,9 @@ void take_back(const System& f, const SolveOptions& options, SolveResult& result
   result.system = facts_of(f);
   if (m > n) {
     drop_excess(g, result);
-    result.left_out.push_back(
-        {counted(m, "equation") + " squared up to " + std::to_string(n),
-         counted(result.excess, "root") + " of the combinations fail an equation of the file"});
+    result.left_out.push_back({counted(m, "equation") + " squared up to " + std::to_string(n),
+                               dropped_text(result.excess)});
+    tell_of_eliminated(g, result);
     const bool is_exact = coefficient_errors(g).empty();
     const QuotientRing ring = is_exact ? ring_of(g, result.seed) : QuotientRing{};
     compare_with_algebra(ring, result);

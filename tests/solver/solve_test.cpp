@@ -186,6 +186,24 @@ TEST(Solve, SquaresUpMoreEquationsThanUnknownsAndCountsWhatThatAdds) {
   EXPECT_TRUE(none.solutions.empty());
 }
 
+TEST(Solve, SaysOfEquationsBesideEliminatedUnknownsWhetherTheyHold) {
+  const auto message = [](const char* text) {
+    const SolveResult result = solve_with_cvode(read(text), {});
+    expect_conservation(result);
+    EXPECT_TRUE(result.complete) << text;
+    return result.message;
+  };
+  EXPECT_EQ(message("x = 1\nx = 1\n"), "every unknown was eliminated: one root");
+  const char* const none =
+      "every unknown was eliminated: the root of the combinations is none of the file";
+  EXPECT_EQ(message("x = 1\nx = 2\n"), none);
+  EXPECT_EQ(message("x = 1\n1 = 2\n"), none);
+  EXPECT_EQ(message("0 = 0\n"),
+            "the equations have no unknowns, and hold: one root, the empty point");
+  EXPECT_EQ(message("1 = 0\n0 = 0\n"),
+            "the equations have no unknowns, and contradict each other: no root");
+}
+
 TEST(Solve, TellsNoRootOfEquationsThatContradictEachOtherByLessThanRounding) {
   for (const char* text :
        {"3 2\n x^2 - 2;\n y - x^3;\n x*y - 4 + 1/10^17;\n",
