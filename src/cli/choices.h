@@ -13,8 +13,7 @@ namespace moivre {
 /// names them.
 void offer(CLI::Option& option, const std::vector<std::string>& words);
 
-/// What the checks of an option say of themselves in --help, the last one first: "{rad,deg}",
-/// "POSITIVE".
+/// What the checks of an option say of themselves in --help, the last one first: "{rad,deg}".
 std::vector<std::string> checks_of(CLI::Option& option);
 
 /// The words of offer(), or those that the option's own check {one,other} names; empty where it

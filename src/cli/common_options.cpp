@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "choices.h"
+#include "moivre/expression/words.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/solver/solve.h"
 
@@ -83,11 +84,22 @@ void add_quiet_flag(CLI::App& command, bool& quiet) {
   command.add_flag("--quiet", quiet, "print no text and no progress line");
 }
 
+namespace {
+
+/// CLI11's own check names the range: up to the 309 digits of the largest double.
+std::string not_above_zero(const std::string& seconds) {
+  const std::optional<double> limit = to_number(seconds);
+  if (limit && *limit > 0) return "";
+  return "a number of seconds above 0 is needed, not '" + seconds + "'";
+}
+
+}  // namespace
+
 void add_time_limit_option(CLI::App& command, std::optional<double>& seconds) {
   command
       .add_option("--time-limit", seconds,
                   "stop after so many seconds with what is finished; exit code 2 then")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Validator(not_above_zero, ""))
       ->type_name("SECONDS");
 }
 

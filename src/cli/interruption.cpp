@@ -5,6 +5,7 @@
 
 #include <sys/time.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -68,11 +69,15 @@ void give_up_reserve() {
   has_tried_again = true;
 }
 
+/// 0: none. The system's timer counts microseconds, and takes none of them for no timer.
 void set_timer(double seconds) {
+  constexpr double kLongest = 1e9;  // some thirty years
+  constexpr double kMicro = 1e6;
   struct itimerval timer = {};
-  const double whole = std::floor(seconds);
+  const double whole = std::floor(std::min(seconds, kLongest));
+  const double rest = std::clamp(seconds - whole, 0.0, 1.0);
   timer.it_value.tv_sec = static_cast<time_t>(whole);
-  timer.it_value.tv_usec = static_cast<suseconds_t>((seconds - whole) * 1e6);
+  timer.it_value.tv_usec = static_cast<suseconds_t>(std::min(std::ceil(rest * kMicro), kMicro - 1));
   setitimer(ITIMER_REAL, &timer, nullptr);
 }
 

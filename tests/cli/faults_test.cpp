@@ -69,7 +69,21 @@ TEST(Faults, ALimitOfTimeEndsARunWithWhatIsFinished) {
   EXPECT_EQ(json["complete"], false);
   // On a busy machine no path may have been begun.
   EXPECT_TRUE(json["message"].get<std::string>().starts_with("interrupted: ")) << json["message"];
-  EXPECT_EQ(scene.run({"solve", "f.phc", "--time-limit", "0"}).exit_code, 1);
+  for (const char* none : {"0", "-1", "abc", "nan"}) {
+    const Outcome refused = scene.run({"solve", "f.phc", "--time-limit", none});
+    EXPECT_EQ(refused.exit_code, 1) << none;
+    EXPECT_EQ(refused.err,
+              std::string("moivre: --time-limit: a number of seconds above 0 is needed, not '") +
+                  none + "'\nmoivre --help shows how to call it.\n");
+  }
+}
+
+TEST(Faults, ALimitOfTimeMayBeShorterThanTheSystemsTimerCounts) {
+  const Scene scene;
+  scene.write("f.phc", katsura(13));
+  EXPECT_EQ(scene.run({"solve", "f.phc", "--quiet", "--time-limit", "1e-9"}).exit_code, 2);
+  scene.write("g.phc", kCircleAndHyperbola);
+  EXPECT_EQ(scene.run({"solve", "g.phc", "--quiet", "--time-limit", "1e300"}).exit_code, 0);
 }
 
 TEST(Faults, ALimitOfTimeThatIsNotReachedChangesNothing) {
