@@ -5,17 +5,18 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <locale>
 #include <sstream>
 #include <stdexcept>
 
 #include "command_line.h"
 #include "interruption.h"
+#include "joint_value.h"
 #include "moivre/arm_report/arm_report.h"
 #include "moivre/arms/held_range.h"
 #include "moivre/arms/poses.h"
 #include "moivre/arms/turns.h"
 #include "moivre/expression/counted.h"
+#include "moivre/expression/joined.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/urdf/mechanism_text.h"
 #include "moivre/urdf/read.h"
@@ -28,44 +29,72 @@ namespace {
 /// Heading in --help.
 constexpr const char* kRobots = "Robots (URDF)";
 
-std::vector<HeldJoint> held_joints(const std::vector<std::string>& settings) {
+/// JOINT=...: a joint's name may have an equals sign, what is behind the last one has none.
+struct JointSetting {
+  std::string joint, behind;
+};
+
+/// Both are empty where the form is another one.
+JointSetting joint_setting(const std::string& setting) {
+  const std::size_t equals = setting.rfind('=');
+  if (equals == std::string::npos || equals == 0) return {};
+  return {setting.substr(0, equals), setting.substr(equals + 1)};
+}
+
+/// Of a joint that the robot has, and that moves: others are refused elsewhere.
+std::string unit_fault_of(const Robot& robot, const std::string& name,
+                          const TypedJointValue& value) {
+  const auto joint = joint_named(robot, name);
+  if (!joint || !is_moving(robot.joints[*joint])) return "";
+  return unit_fault(value, robot.joints[*joint].type == RobotJointType::prismatic);
+}
+
+constexpr const char* kUnitsOfValues = " (30deg, 0.5rad, 0.2m, 120mm; radians or metres without)";
+
+std::vector<HeldJoint> held_joints(const Robot& robot, const std::vector<std::string>& settings) {
   std::vector<HeldJoint> held;
-  std::string faults;
+  std::vector<std::string> faults;
   for (const std::string& setting : settings) {
-    // A joint's name may have an equals sign, a number has none.
-    const std::size_t equals = setting.rfind('=');
-    double value = 0;
-    const char* const end = setting.data() + setting.size();
-    const bool has_sides = equals != std::string::npos && equals > 0;
-    const auto read = std::from_chars(setting.data() + (has_sides ? equals + 1 : 0), end, value);
-    if (has_sides && read.ec == std::errc() && read.ptr == end && std::isfinite(value)) {
-      held.push_back({setting.substr(0, equals), value});
-    } else {
-      faults += (faults.empty() ? "" : "; ") + setting + " is not JOINT=VALUE with a finite number";
+    const auto& [joint, behind] = joint_setting(setting);
+    const auto value = read_joint_value(behind);
+    if (!value) {
+      faults.push_back(setting + " is not JOINT=VALUE with a finite number" + kUnitsOfValues);
+      continue;
     }
+    const std::string fault = unit_fault_of(robot, joint, *value);
+    if (!fault.empty()) faults.push_back(setting + ": " + fault);
+    held.push_back({joint, value->value});
   }
-  if (!faults.empty()) throw std::invalid_argument(faults);
+  if (!faults.empty()) throw std::invalid_argument(joined(faults, "; "));
   return held;
 }
 
 /// JOINT=FROM:TO:N.
-HeldRange held_range(const std::string& setting) {
-  // A joint's name may have an equals sign, a number has none.
-  const std::size_t equals = setting.rfind('=');
-  HeldRange range;
-  std::istringstream numbers(equals == std::string::npos ? "" : setting.substr(equals + 1));
-  numbers.imbue(std::locale::classic());
-  char first = 0, second = 0;
+HeldRange held_range(const Robot& robot, const std::string& setting) {
+  const auto& [joint, behind] = joint_setting(setting);
+  const std::size_t first = std::min(behind.find(':'), behind.size());
+  const std::size_t second = std::min(behind.find(':', first + 1), behind.size());
+  const std::string_view text = behind;
+  const auto from = read_joint_value(text.substr(0, first));
+  const auto to = read_joint_value(
+      text.substr(std::min(first + 1, text.size()), second - std::min(first + 1, second)));
+  const std::string_view typed_count = text.substr(std::min(second + 1, text.size()));
   long long count = 0;
-  numbers >> range.from >> first >> range.to >> second >> count;
-  const bool is_read = numbers && numbers.peek() == std::istringstream::traits_type::eof();
-  if (!is_read || first != ':' || second != ':' || equals == 0 || count < 1) {
+  const char* const end = typed_count.data() + typed_count.size();
+  const auto read = std::from_chars(typed_count.data(), end, count);
+  if (!from || !to || read.ec != std::errc() || read.ptr != end || count < 1) {
     throw std::invalid_argument("--sweep-hold: " + setting +
-                                " is not JOINT=FROM:TO:N with finite numbers and N from 1 on");
+                                " is not JOINT=FROM:TO:N with finite numbers" + kUnitsOfValues +
+                                " and N from 1 on");
   }
-  range.joint = setting.substr(0, equals);
-  range.count = static_cast<std::size_t>(count);
-  return range;
+  for (const TypedJointValue& value : {*from, *to}) {
+    const std::string fault = unit_fault_of(robot, joint, value);
+    if (!fault.empty()) throw std::invalid_argument("--sweep-hold: " + setting + ": " + fault);
+  }
+  return {.joint = joint,
+          .from = from->value,
+          .to = to->value,
+          .count = static_cast<std::size_t>(count)};
 }
 
 std::optional<std::string> chosen(const std::string& name) {
@@ -110,13 +139,18 @@ std::optional<Eigen::VectorXd> standing(const ArmOptions& options, const Arm& ar
   std::istringstream words(text);
   std::vector<double> values;
   for (std::string word; words >> word;) {
-    double value = 0;
-    const char* const end = word.data() + word.size();
-    const auto read = std::from_chars(word.data(), end, value);
-    if (read.ec != std::errc() || read.ptr != end || !std::isfinite(value)) {
-      throw std::invalid_argument("--nearest: " + word + " is no finite number");
+    const auto value = read_joint_value(word);
+    if (!value) {
+      throw std::invalid_argument("--nearest: " + word + " is no finite number" + kUnitsOfValues);
     }
-    values.push_back(value);
+    if (values.size() < arm.joints.size()) {
+      const ArmJoint& joint = arm.joints[values.size()];
+      const std::string fault = unit_fault(*value, joint.is_slide);
+      if (!fault.empty()) {
+        throw std::invalid_argument("--nearest: " + joint.name + ", " + word + ": " + fault);
+      }
+    }
+    values.push_back(value->value);
   }
   if (values.size() != arm.joints.size()) {
     throw std::invalid_argument("--nearest has " + counted(values.size(), "value") +
@@ -145,8 +179,10 @@ void add_robot_options(CLI::App& command, ArmOptions& options) {
                   "quaternion")
       ->group(group);
   command
-      .add_option("--hold", options.held,
-                  "hold a joint at this value, radians or metres; may be repeated")
+      .add_option(
+          "--hold", options.held,
+          "hold a joint at this value, radians or metres, or with its unit (30deg, 120mm); may be "
+          "repeated")
       ->type_name("JOINT=VALUE")
       ->group(group);
   command
@@ -172,16 +208,16 @@ void add_arm_options(CLI::App& command, ArmOptions& options) {
       ->type_name("X")
       ->group(kRobots);
   command
-      .add_option(
-          "--sweep-hold", options.sweep_hold,
-          "hold a joint at N values from FROM to TO, radians or metres: the closures of one "
-          "pose at each of them")
+      .add_option("--sweep-hold", options.sweep_hold,
+                  "hold a joint at N values from FROM to TO, radians or metres, or with their unit "
+                  "(30deg): the closures of one pose at each of them")
       ->type_name("JOINT=FROM:TO:N")
       ->group(kRobots);
   command
       .add_option("--nearest", options.nearest,
                   "closures in the order of their distance from these joint values, radians and "
-                  "metres in the order of the chain: \"q1 q2 ...\"; whole turns as there")
+                  "metres, or with their units, in the order of the chain: \"q1 q2 ...\"; whole "
+                  "turns as there")
       ->type_name("VALUES")
       ->group(kRobots);
   command
@@ -202,7 +238,7 @@ std::string robot_as_mechanism(const std::string& file, const Source& source,
                                const ArmOptions& options) {
   const Robot robot = read_urdf(source);
   RobotChanges changes;
-  require_all({[&] { changes.held = held_joints(options.held); },
+  require_all({[&] { changes.held = held_joints(robot, options.held); },
                [&] {
                  if (!options.pose.empty()) changes.pose = only_pose(options.pose).pose;
                },
@@ -242,9 +278,9 @@ int run_arm(const ArmRun& run, const Source& source) {
   std::unique_ptr<Tracker> tracker;
   require_all({[&] {
                  const ArmChoice choice{chosen(run.arm.base), chosen(run.arm.tip),
-                                        held_joints(run.arm.held)};
+                                        held_joints(robot, run.arm.held)};
                  if (!run.arm.sweep_hold.empty()) {
-                   report.swept = arms_along(robot, choice, held_range(run.arm.sweep_hold));
+                   report.swept = arms_along(robot, choice, held_range(robot, run.arm.sweep_hold));
                  }
                  report.arm = report.swept.empty() ? make_arm(robot, choice) : report.swept.front();
                  report.stands = standing(run.arm, report.arm);

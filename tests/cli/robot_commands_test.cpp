@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "refusing.h"
 
@@ -89,6 +90,41 @@ TEST_F(RobotCommands, AJointIsHeldAtManyValues) {
   expect_refusal(with({"--sweep-hold", "panda_joint7=0:1:3", "--svg", "p.svg"}), {"one pose"});
   expect_refusal(with({"--sweep-hold", "panda_joint7=0:1:3", "--hold", "panda_joint7=1"}),
                  {"at one value and at many"});
+}
+
+TEST_F(RobotCommands, JointValuesMayHaveAUnit) {
+  const std::string panda = kRobots + "panda.urdf";
+  const auto asked = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> all{"closures",       panda,    "--tip",
+                                 "panda_hand_tcp", "--pose", "0.4 0.2 0.3 0 1 0 0"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  const auto held = [&](const std::string& value) {
+    const Outcome outcome =
+        scene.run(asked({"--hold", "panda_joint7=" + value, "--json", "-", "--quiet"}));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return Json::parse(outcome.out)["held"]["panda_joint7"].get<double>();
+  };
+  EXPECT_EQ(held("45deg"), 45 * (std::numbers::pi / 180));
+  EXPECT_EQ(held("0.8rad"), 0.8);
+  const Outcome swept =
+      scene.run(asked({"--sweep-hold", "panda_joint7=45deg:0.9rad:2", "--json", "-", "--quiet"}));
+  const Json poses = Json::parse(swept.out)["poses"];
+  EXPECT_EQ(poses[0]["held"]["panda_joint7"], 45 * (std::numbers::pi / 180));
+  EXPECT_EQ(poses[1]["held"]["panda_joint7"], 0.9);
+  const auto nearest = [&](const std::string& values) {
+    const Outcome outcome = scene.run(
+        asked({"--hold", "panda_joint7=0.8", "--nearest", values, "--json", "-", "--quiet"}));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return Json::parse(outcome.out)["poses"][0]["closures"];
+  };
+  EXPECT_EQ(nearest("0 0 0 -90deg 0 1"), nearest("0 0 0 -1.5707963267948966 0 1rad"));
+  expect_refusal(asked({"--hold", "panda_joint7=30grad"}), {"30grad is not JOINT=VALUE", "30deg"});
+  expect_refusal(asked({"--hold", "panda_joint7=30mm"}), {"the joint turns", "rad or deg"});
+  expect_refusal(asked({"--sweep-hold", "panda_joint7=1m:2:3"}), {"the joint turns"});
+  expect_refusal(asked({"--hold", "panda_joint7=0.8", "--nearest", "0 0 0 0 5mm 0"}),
+                 {"panda_joint5, 5mm: the joint turns"});
 }
 
 TEST_F(RobotCommands, ASetWithinTheAccuracyOfThePoseIsSaidToMissIt) {
