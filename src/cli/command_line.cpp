@@ -87,7 +87,14 @@ std::string empty_words(const std::vector<std::string>& words) {
   return "";
 }
 
-/// A sentence where an option's number goes on with letters or a comma; else empty.
+/// A sentence where an option is the last word and wants another; else empty.
+std::string no_value(const std::string& what) {
+  const std::size_t colon = what.find(": 1 required ");
+  if (colon == std::string::npos || !what.ends_with(" missing")) return "";
+  return "moivre: " + what.substr(0, colon) + " needs a value behind it\n";
+}
+
+/// A sentence where an option's number is none, or goes on with letters or a comma; else empty.
 std::string not_a_number(const std::string& what, const std::vector<std::string>& words) {
   for (std::size_t k = 0; k < words.size(); ++k) {
     const std::size_t equals = words[k].find('=');
@@ -97,7 +104,11 @@ std::string not_a_number(const std::string& what, const std::vector<std::string>
     const std::string value =
         has_value ? words[k].substr(equals + 1) : (k + 1 < words.size() ? words[k + 1] : "");
     const std::size_t end = value.find_first_not_of("+-.0123456789eE");
-    if (end == 0 || end == std::string::npos) continue;
+    if (end == std::string::npos) continue;
+    if (end == 0) {
+      if (!what.starts_with("Could not convert")) continue;
+      return "moivre: " + option + " takes a number, not " + value + '\n';
+    }
     const bool is_comma = value[end] == ',';
     return "moivre: " + option + " takes a number, not " + value +
            (is_comma ? ": decimals have a point"
@@ -161,6 +172,7 @@ int parse_and_run(int argc, char** argv) {
     return code;
   } catch (const CLI::ParseError& error) {
     std::string unknown = unknown_words(moivre, words);
+    if (unknown.empty()) unknown = no_value(error.what());
     if (unknown.empty()) unknown = not_a_number(error.what(), words);
     return refuse(!unknown.empty() ? unknown
                                    : std::string("moivre: ") + error.what() +

@@ -111,7 +111,7 @@ Eigen::VectorXd named_values(const Mechanism& mechanism, const std::vector<std::
     if (value.name.empty()) {
       faults.push_back(setting + " is not NAME=VALUE");
     } else if (std::isnan(value.value) && is_known(value.name)) {
-      faults.push_back(setting + " is not NAME=VALUE with a finite number");
+      faults.push_back(setting + " is not NAME=VALUE with a finite number, without a unit");
     } else {
       given.push_back(value);
     }

@@ -54,7 +54,7 @@ Varied varied_of(const std::string& text) {
       to_number(trimmed(std::string_view(text).substr(equals + 1, first - equals - 1)));
   const auto to = to_number(trimmed(std::string_view(text).substr(first + 1, second - first - 1)));
   const auto count = to_number(trimmed(std::string_view(text).substr(second + 1)));
-  if (!from || !to) return refuse("FROM and TO must be numbers");
+  if (!from || !to) return refuse("FROM and TO must be numbers, without a unit");
   constexpr double kMost = 1e6;
   if (!count || !(*count >= 2 && *count <= kMost) || *count != std::floor(*count)) {
     return refuse("the number of values is whole, and at least 2");

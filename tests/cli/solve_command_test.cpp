@@ -358,7 +358,10 @@ TEST(SolveCommand, RefusesEachWrongOptionWithItsReason) {
       {{"--threads", "100000"}, "threads must lie between 0 (all cores) and 1024"},
       {{"--seed", "-1"}, "--seed: -1 is negative"},
       {{"--seed", "18446744073709551616"}, "--seed: 18446744073709551616 is beyond 64 bits"},
-      {{"--seed", "x"}, "Could not convert: --seed = x"},
+      {{"--seed", "x"}, "--seed takes a number, not x"},
+      {{"--threads=two"}, "--threads takes a number, not two"},
+      {{"--digits", "30x"}, "--digits takes a number, not 30x: write 30, without a unit"},
+      {{"--start"}, "--start needs a value behind it"},
       {{"--jsn", "-"}, "unknown option --jsn; did you mean --json?"},
       {{"--html", "f.html"}, "unknown option --html"},
       {{"--tread=2"}, "unknown option --tread; did you mean --threads?"}};
