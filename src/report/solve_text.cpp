@@ -98,8 +98,11 @@ std::string completeness_line(const SolveResult& result) {
   if (!result.completeness) return "";
   const auto& roots = result.solutions;
   if (result.bound) {
-    return counted(roots.size(), "root") + ", " + std::to_string(result.bound->value) + " = " +
-           result.bound->kind + ": proved complete\n";
+    const std::uint64_t left_out = result.filtered + result.on_denominators;
+    const std::string others =
+        left_out > 0 ? " and " + std::to_string(left_out) + " left out" : std::string();
+    return counted(roots.size(), "root") + others + ", " + std::to_string(result.bound->value) +
+           " = " + result.bound->kind + ": proved complete\n";
   }
   const auto count = [&](auto claim) {
     return static_cast<std::uint64_t>(std::count_if(roots.begin(), roots.end(), claim));
@@ -110,6 +113,9 @@ std::string completeness_line(const SolveResult& result) {
       count([](const Solution& root) { return root.certified == true; });
   const std::uint64_t certifiable =
       count([&](const Solution& root) { return is_regular(root) || root.certified == true; });
+  if (certifiable == 0) {
+    return "no regular root to certify: completeness " + to_string(*result.completeness) + '\n';
+  }
   const bool all_regular = certifiable == count(is_regular);
   return std::to_string(certified) + " of " +
          counted(certifiable, all_regular ? "regular root" : "root") + " certified: completeness " +

@@ -62,8 +62,9 @@ void keep_by_coordinates(const RootFilter& filter, SolveResult& result) {
   std::erase_if(result.planes,
                 [&](const CoordinatePlane& plane) { return is_unwanted(filter, places, plane); });
   const std::uint64_t left = before - result.solutions.size();
-  result.left_out.push_back({"roots that are not " + said(filter),
-                             "asked for: " + counted(left, "root is", "roots are") + " not told"});
+  result.left_out.push_back(
+      {"roots that are not " + said(filter),
+       "as asked for: " + counted(left, "root is", "roots are") + " not told"});
 }
 
 /// The boundary, as far as digits tell, belongs to p >= 0 and not to p > 0.
@@ -97,7 +98,7 @@ void keep_met(const Condition& condition, SolveResult& result) {
   const auto left =
       static_cast<std::uint64_t>(std::count(is_left_out.begin(), is_left_out.end(), true));
   result.filtered += drop_solutions(result, is_left_out);
-  std::string why = "asked for: " + counted(left, "root is", "roots are") + " not told";
+  std::string why = "as asked for: " + counted(left, "root is", "roots are") + " not told";
   if (hidden_by_digits > 0) {
     why +=
         ", " + std::to_string(hidden_by_digits) + " of them on its boundary as far as digits tell";
@@ -112,12 +113,12 @@ std::vector<std::string> broken_rules(const RootFilter& filter,
   std::vector<std::string> broken;
   for (const WantedRange& range : filter.box) {
     if (std::find(unknowns.begin(), unknowns.end(), range.unknown) == unknowns.end()) {
-      broken.push_back("there is no unknown '" + range.unknown + "'; its unknowns are " +
+      broken.push_back("there is no unknown '" + range.unknown + "'; the unknowns are " +
                        joined(unknowns, ", "));
     }
     if (!(range.from <= range.to)) {
       broken.push_back("the range of '" + range.unknown +
-                       "' goes from the lower number to the upper");
+                       "' must go from the lower number to the upper");
     }
   }
   for (const Condition& condition : filter.conditions) {

@@ -61,6 +61,14 @@ TEST(SolveCommand, GivesTheSameBytesForEveryNumberOfThreads) {
   }
 }
 
+TEST(SolveCommand, CountsNoCertificatesWhereNoRootIsRegular) {
+  Scene scene;
+  scene.write("f.txt", "x*y = 1\nx*y*z = z\nx = y\n");
+  const Outcome told = scene.run({"solve", "f.txt"});
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_TRUE(contains(told.out, "\nno regular root to certify: completeness ")) << told.out;
+}
+
 TEST(SolveCommand, TellsTheRootsThatMeetConditions) {
   Scene scene;
   scene.write("f.txt", "x^2 + y^2 = 5\nx*y = 2\nx > 0\nx*y <= 2\n");  // +-(1, 2), +-(2, 1)
@@ -70,6 +78,10 @@ TEST(SolveCommand, TellsTheRootsThatMeetConditions) {
       << told.out;
   EXPECT_TRUE(contains(told.out, ", on the boundary of x*y <= 2\n  x =  1\n  y =  2\n"))
       << told.out;
+  if (MOIVRE_WITH_CERTIFY) {
+    EXPECT_TRUE(contains(told.out, "\n1 root and 3 left out, 4 = total degree: proved complete\n"))
+        << told.out;
+  }
   const Json json = Json::parse(scene.run({"solve", "f.txt", "--json", "-"}).out);
   EXPECT_EQ(json["filtered"], 2);
   EXPECT_EQ(json["solutions"][0]["on_boundary"], Json({"x*y <= 2"}));
