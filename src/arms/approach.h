@@ -58,8 +58,8 @@ double distance_of(const Arm& arm, const JointVector<Complex>& a, const JointVec
 
 /// No end is lost, and regular ones are different.
 bool are_different(const Arm& arm, const std::vector<ApproachEnd>& ends);
-/// At a real pose the conjugate of a closure is another one, or the closure itself: the regular ends
-/// whose conjugate no other path led to.
+/// At a real pose the conjugate of a closure is another one, or the closure itself: the regular
+/// ends whose conjugate no other path led to.
 std::vector<std::size_t> without_conjugate(const Arm& arm, const std::vector<ApproachEnd>& ends);
 
 }  // namespace moivre

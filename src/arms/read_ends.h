@@ -56,8 +56,8 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
 bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, ArmResult& result);
 
 /// Whether the end is on a plane of postures, or on its continuation into complex numbers: paths
-/// slide along it, as slowly as rounding lets them be followed, and of an arm as typed more closures
-/// may be there than of the geometry that its digits stand for. All real ones on it are listed, but
+/// slide along it, as slowly as rounding lets them be followed, and an arm as typed may have more
+/// closures there than the geometry that its digits stand for. All real ones on it are listed, but
 /// for a plane that seems to hold the pose and ends.
 bool is_on_plane(const PlaceOfEnd& end, const PostureList& list);
 

@@ -278,7 +278,7 @@ std::vector<VectorXd> spread(const Arm& arm, const std::vector<VectorXd>& places
 }
 
 /// To both sides along each of its directions, and along random ones. Where closures of the arm are
-/// on a surface that is open within an accuracy, nothing tells but Newton's method, from everywhere.
+/// on a surface that is open within an accuracy only Newton's method tells, from everywhere.
 void trace_surface(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
                    double accuracy, double step, std::uint64_t seed, TracedSet& traced) {
   SelfMotion& motion = traced.motion;
