@@ -119,6 +119,9 @@ bool is_any(const SelfMotion&) { return true; }
 /// As rounding tells.
 bool stands_exactly(const SelfMotion& set) { return set.misfit <= kRounding && !has_ends(set); }
 
+/// As well as any pose is known.
+bool stands_whole(const SelfMotion& set) { return set.misfit <= kReach && !has_ends(set); }
+
 /// A curve that is found as exact ones are, and ends: it has closures.
 bool nearly_stands(const SelfMotion& set) { return set.misfit <= kRounding && has_ends(set); }
 
@@ -152,19 +155,30 @@ std::optional<std::size_t> add(PostureList& list, TracedSet&& traced, bool is_wi
   const bool is_there = stands_exactly(traced.motion);
   traced.motion.within_digits = is_within_digits;
   // Where sets meet the posture may not be known well enough to be seen on one that is there.
-  if (const auto same = set_of(list, traced.motion.values, stands_exactly)) return same;
+  if (const auto same = set_of(list, traced.motion.values, stands_whole)) return same;
   list.moves.push_back(std::move(traced.motion));
   if (is_there) return list.moves.size() - 1;
   enter_near(list, traced);
   return std::nullopt;
 }
 
+/// As rounding tells; of a piece that ends, the set that it is a piece of, where that holds the
+/// pose within its accuracy.
+std::optional<TracedSet> trace_exactly(const PostureList& list, const Eigen::VectorXd& from) {
+  auto traced = trace_set(list.arm, list.pose, from, kRounding, list.seed);
+  if (!traced || !has_ends(traced->motion)) return traced;
+  auto whole = trace_set(list.arm, list.pose, from, list.accuracy, list.seed);
+  return whole && !has_ends(whole->motion) ? whole : traced;
+}
+
 /// Adds the set through the posture, its number where it is one of the pose and the file as typed.
 std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure) {
   const double sigma = closure.smallest_singular_value;
   const std::vector<double> accuracies = left_open(list);
-  if (sigma <= kStandsAlone && !set_of(list, closure.values, nearly_stands)) {
-    if (auto traced = trace_set(list.arm, list.pose, closure.values, kRounding, list.seed)) {
+  const bool is_known =
+      set_of(list, closure.values, nearly_stands) || set_of(list, closure.values, stands_whole);
+  if (sigma <= kStandsAlone && !is_known) {
+    if (auto traced = trace_exactly(list, closure.values)) {
       const bool is_within_digits = !accuracies.empty() && has_ends(traced->motion);
       return add(list, std::move(*traced), is_within_digits);
     }
@@ -201,11 +215,14 @@ int weak_directions(const PostureList& list, const Eigen::VectorXd& values, doub
   return static_cast<int>((sigma.array() <= accuracy / kReachesFar).count());
 }
 
-/// The largest of the sets through the posture that are told to be open within the accuracy.
+/// The largest of the sets through the posture that are told to be open within the accuracy. One
+/// that ends within much less is but a piece.
 int dimension_told(const PostureList& list, const Eigen::VectorXd& values, double accuracy) {
+  constexpr double kMuchLess = 0.1;
   int largest = 0;
   for (const SelfMotion& set : list.moves) {
-    const bool is_more = set.misfit <= accuracy && set.dimension > largest;
+    const bool is_piece = has_ends(set) && set.misfit <= kMuchLess * accuracy;
+    const bool is_more = set.misfit <= accuracy && !is_piece && set.dimension > largest;
     if (is_more && is_on(list.arm, set, values, kOnSet)) largest = set.dimension;
   }
   return largest;

@@ -142,11 +142,11 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
   return way;
 }
 
-/// Rows r with r . (samples - first) = 0, in reduced echelon form over the joints that move. A set
-/// that is there within the digits only is as flat as they let it be.
+/// Rows r with r . (samples - first) = 0, in reduced echelon form over the joints that move. Digits
+/// such as 1.5708 bend a plane by a little.
 std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<VectorXd>& samples,
-                                        int dimension, bool is_exact) {
-  const double flat = is_exact ? 1e-6 : 3e-5;
+                                        int dimension) {
+  constexpr double kFlat = 3e-5;
   const Index n = samples.front().size();
   MatrixXd spread(std::ssize(samples), n);
   for (Index i = 0; i < spread.rows(); ++i) {
@@ -155,7 +155,7 @@ std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<Vector
   std::vector<Index> moving;
   for (Index k = 0; k < n; ++k) {
     const double unit = arm.joints[static_cast<std::size_t>(k)].is_slide ? arm.length : 1;
-    if (spread.col(k).cwiseAbs().maxCoeff() > flat * unit) moving.push_back(k);
+    if (spread.col(k).cwiseAbs().maxCoeff() > kFlat * unit) moving.push_back(k);
   }
   if (moving.empty()) return {};
   const auto m = std::ssize(moving);
@@ -165,7 +165,7 @@ std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<Vector
   }
   const Svd stretch = svd(of_moving.transpose() * of_moving, SingularVectors::full);
   for (Index k = dimension; k < m; ++k) {
-    if (stretch.sigma[k] > flat * flat * stretch.sigma[0]) return {};
+    if (stretch.sigma[k] > kFlat * kFlat * stretch.sigma[0]) return {};
   }
   MatrixXd rows = stretch.V.rightCols(m - dimension).transpose();
   for (Index r = 0; r < rows.rows(); ++r) {
@@ -182,9 +182,12 @@ std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<Vector
     relation.factors = VectorXd::Zero(n);
     for (Index k = 0; k < m; ++k) {
       const double nearest = std::round(rows(r, k));
-      const bool is_whole = std::abs(rows(r, k) - nearest) < flat;
+      const bool is_whole = std::abs(rows(r, k) - nearest) < kFlat;
       relation.factors[moving[static_cast<std::size_t>(k)]] = is_whole ? nearest : rows(r, k);
     }
+    const auto first = std::find_if(relation.factors.begin(), relation.factors.end(),
+                                    [](double factor) { return factor != 0; });
+    if (*first < 0) relation.factors = VectorXd::Zero(n) - relation.factors;
     relation.value = relation.factors.dot(samples.front());
     const bool has_single_turn = std::any_of(moving.begin(), moving.end(), [&](Index k) {
       return !arm.joints[static_cast<std::size_t>(k)].is_slide &&
@@ -364,7 +367,7 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   }
   const Velocity6<double> least = least_moved(begin->place);
   motion.lost = {arm.length * least.head<3>(), least.tail<3>()};
-  motion.relations = relations_of(arm, motion.samples, motion.dimension, motion.misfit <= kReach);
+  motion.relations = relations_of(arm, motion.samples, motion.dimension);
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     double& value = motion.values[static_cast<Index>(k)];
     if (!arm.joints[k].is_slide) value = reduced_turn(value);
