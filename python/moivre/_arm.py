@@ -120,7 +120,7 @@ class Arm:
         ----------
         q : array_like of float, shape (joints,) or (N, joints)
         poses : array_like of float, shape (4, 4) or (N, 4, 4)
-            One for all joint values, or one for each.
+            One for all joint values, or one for each. A rotation that is rounded to two digits or more is the nearest one.
 
         Returns
         -------

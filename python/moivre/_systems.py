@@ -81,6 +81,8 @@ def _polynomial_terms(expression, symbols):
         terms = [(c, monomial) for monomial, c in sympy.Poly(expression, *symbols).terms() if c != 0]
     except sympy.PolynomialError:
         return None
+    except (sympy.polys.polyerrors.BasePolynomialError, IndexError):  # of a Piecewise, of symbols that are matrices
+        raise ValueError(f"{expression}: an equation has numbers, unknowns and functions of numbers") from None
     coefficients = [_rational_parts(c) for c, _ in terms]
     return None if None in coefficients else (coefficients, [monomial for _, monomial in terms])
 
@@ -122,8 +124,9 @@ def _of_typed(expressions, symbols, is_exact):
         # Behind a number no name is the heading of a file.
         system = _moivre.system_of_text(TEXT, "".join(f"0 + {text};\n" for text in texts))
     except ParseError as refusal:
+        # One behind the last line is of the whole, and there because of others.
         raise ValueError("; ".join(f"equation {line}: {expressions[line - 1]}: {fault}"
-                                   for line, _, fault in refusal.faults)) from None
+                                   for line, _, fault in refusal.faults if line <= len(expressions))) from None
     return system.in_unknowns([(names[s], str(s)) for s in symbols], is_exact)
 
 

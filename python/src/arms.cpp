@@ -220,8 +220,10 @@ Eigen::VectorXd joint_values(const NamedArm& named, const Doubles& q, py::ssize_
 
 /// q: (joints,) or (N, joints), poses (1, 4, 4) or (N, 4, 4): metres and radians, (N, 2).
 py::array_t<double> misfits(const NamedArm& named, const Doubles& q, const Doubles& given) {
+  // What is measured here has no accuracy of its own: two decimals of a rotation are enough.
+  constexpr double kTwoDecimals = 1e-2;
   require_joint_values(named, q);
-  const std::vector<TypedPose> poses = poses_of(given, 0);
+  const std::vector<TypedPose> poses = poses_of(given, kTwoDecimals);
   const py::ssize_t count = q.ndim() == 1 ? 1 : q.shape(0);
   const auto asked = std::max(count, std::ssize(poses));
   if ((count != 1 && count != asked) || (std::ssize(poses) != 1 && std::ssize(poses) != asked)) {

@@ -232,6 +232,12 @@ def test_what_is_no_rotation_within_the_accuracy_is_refused(arm):
         arm.ik(np.diag([1, 1, -1, 1]), pose_accuracy=3)
 
 
+def test_a_misfit_is_measured_from_a_rotation_of_four_digits(arm):
+    q = [0.3, -1.0, 1.2, 0.4, 0.5, 0.7]
+    position, rotation = arm.misfit(q, arm.fk(q).round(4))
+    assert position < 1e-4 and rotation < 1e-3
+
+
 def test_a_misfit_is_told_in_metres_and_radians(arm):
     q, poses = poses_of(arm, 3)
     off = poses.copy()

@@ -164,3 +164,9 @@ def test_inequalities_are_conditions():
     x, y = sp.symbols("x y")
     r = moivre.solve([x**2 + y**2 - 4, x * y - 1, x > 0.25], where=[sp.Le(y, x), y < sp.Rational(3, 2)])
     assert len(r) == 1 and r.filtered == 3 and r.real_points[0, 0] > r.real_points[0, 1]
+
+
+@pytest.mark.parametrize("equation", [sp.Piecewise((x, x > 0), (0, True)) - 1, sp.MatrixSymbol("X", 1, 1)[0, 0] ** 2 - 1])
+def test_what_is_no_function_of_a_text_is_refused_as_a_value(equation):
+    with pytest.raises(ValueError):
+        moivre.solve([equation])

@@ -51,7 +51,7 @@ Panel panel_of(const Arm& arm, const Skeleton& skeleton, const ArmClosure& closu
 /// Of a set one posture is drawn.
 Panel panel_of(const Arm& arm, const Skeleton& skeleton, const SelfMotion& set, bool in_degrees) {
   const std::string caption = set.within_digits     ? "moves within the digits"
-                              : set.misfit > kReach ? "moves within the accuracy"
+                              : set.misfit > kReach ? "moves within accuracy"
                                                     : "moves, from here";
   return {caption,
           skeleton_pose(skeleton, arm, set.values),

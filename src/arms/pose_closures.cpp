@@ -74,6 +74,15 @@ bool can_move(const PostureList& list) {
   return std::any_of(list.moves.begin(), list.moves.end(), is_exact);
 }
 
+/// However the joints turn, all links in a row do not reach so far.
+bool is_out_of_reach(const PostureList& list) {
+  const Arm& arm = list.arm;
+  const bool has_slides = std::any_of(arm.joints.begin(), arm.joints.end(),
+                                      [](const ArmJoint& joint) { return joint.is_slide; });
+  const double reach = arm.length * (1 + list.accuracy + arm.rounding);
+  return !has_slides && list.pose.translation().norm() > reach;
+}
+
 std::string message_of(const Arm& arm, const PostureList& list, const ArmResult& result) {
   if (!result.complete) {
     return result.message.empty() ? "some paths are undecided: closures may be missing"
@@ -89,6 +98,10 @@ std::string message_of(const Arm& arm, const PostureList& list, const ArmResult&
   }
   if (!list.closures.empty()) return "every path was decided";
   std::string text = "the arm cannot hold this pose";
+  if (is_out_of_reach(list)) {
+    text += ", which is " + number_text(list.pose.translation().norm()) +
+            " m from its base: all links in a row are " + number_text(arm.length) + " m long";
+  }
   if (arm.joints.size() < 6) text += "; with fewer than six free joints only some can be held";
   if (list.nearest) {
     text += "; the nearest posture misses it by " + number_text(list.nearest->apart.position) +
@@ -192,6 +205,7 @@ void explain(PoseSearch& pose) {
   const bool may_be_held =
       list.nearest && list.nearest->misfit <= list.accuracy + list.arm.rounding;
   if (has_none(list) && may_be_held) result.complete = false;
+  if (is_out_of_reach(list)) result.complete = true;
 }
 
 ArmResult finished(PoseSearch&& pose) {

@@ -130,6 +130,20 @@ TEST(ArmClosuresTest, LimitsAreToldAndClosuresBeyondThemKept) {
   EXPECT_EQ(beyond, result.counts.beyond_limits);
 }
 
+/// Typed in millimetres: paths over 500 m are not followed in double, and need not be.
+TEST(ArmClosuresTest, APoseFartherAwayThanTheArmIsLongIsDecided) {
+  const Arm arm = arm_of("puma560", "flange");
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  for (const double x : {300.0, 1000.0, 3000.0}) {
+    SCOPED_TRACE(x);
+    pose.translation() << x, 100, 400;
+    const ArmResult result = find_arm_closures(arm, pose, lanes(), one_thread());
+    EXPECT_TRUE(result.complete);
+    EXPECT_TRUE(result.closures.empty() && result.moves.empty());
+    EXPECT_NE(result.message.find("all links in a row"), std::string::npos) << result.message;
+  }
+}
+
 TEST(ArmClosuresTest, APoseOutOfReachHasNoRealClosure) {
   const Arm arm = arm_of("ur5", "tool0");
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
