@@ -207,7 +207,8 @@ std::string heading(const ArmReport& report) {
   text += has_slides ? " and metres\n" : "\n";
   for (const HeldJoint& joint : arm.held) {
     if (const auto swept = swept_joint(report, 0); swept && swept->name == joint.name) continue;
-    text += "held: " + joint.name + " = " + exact_text(joint.value) + '\n';
+    text += "held: " + joint.name + " = " + exact_text(joint.value) +
+            (joint.is_beyond_limits ? ", beyond its limits\n" : "\n");
   }
   return text;
 }

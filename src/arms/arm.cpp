@@ -159,7 +159,9 @@ void pass(const Robot& robot, const Passage& passage, const std::vector<HeldJoin
       walk.pass(moved(to_vector(joint.axis).stableNormalized(), is_slide, *value),
                 is_slide ? exact_slide(joint.axis, *value) : exact_turn(joint.axis, *value),
                 passage.is_backwards);
-      arm.held.push_back({joint.name, *value});
+      const bool is_beyond =
+          joint.limits && (*value < joint.limits->lower || *value > joint.limits->upper);
+      arm.held.push_back({joint.name, *value, is_beyond});
       if (is_slide) arm.length += std::abs(*value);
     } else {
       arm.joints.push_back(free_joint(joint, walk, passage.is_backwards));

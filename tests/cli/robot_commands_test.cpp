@@ -127,6 +127,17 @@ TEST_F(RobotCommands, JointValuesMayHaveAUnit) {
                  {"panda_joint5, 5mm: the joint turns"});
 }
 
+TEST_F(RobotCommands, AJointHeldBeyondItsLimitsIsSaidToBe) {
+  const auto told = [&](const std::string& value) {
+    return scene
+        .run({"closures", kRobots + "panda.urdf", "--hold", "panda_joint7=" + value, "--tip",
+              "panda_link8", "--pose", "0.4 0.1 0.5 0 1 0 0"})
+        .out;
+  };
+  EXPECT_NE(told("30").find("panda_joint7 = 30, beyond its limits"), std::string::npos);
+  EXPECT_EQ(told("30deg").find("beyond its limits"), std::string::npos);
+}
+
 TEST_F(RobotCommands, ASetWithinTheAccuracyOfThePoseIsSaidToMissIt) {
   // The elbow is nearly straight, and the pose has three digits.
   const auto told = [&](const std::string& pose) {

@@ -17,7 +17,8 @@ namespace moivre {
 
 struct HeldJoint {
   std::string name;
-  double value = 0;  ///< radians, or metres
+  double value = 0;               ///< radians, or metres
+  bool is_beyond_limits = false;  ///< of an arm's: it is held there all the same
 };
 
 /// The names, and "..." where they are too many for a message.
