@@ -202,9 +202,7 @@ std::string heading(const ArmReport& report) {
   const Arm& arm = report.arm;
   std::string text = arm.robot + " (" + report.file + "), from " + arm.base + " to " + arm.tip +
                      ", joint values in radians";
-  const bool has_slides = std::any_of(arm.joints.begin(), arm.joints.end(),
-                                      [](const ArmJoint& joint) { return joint.is_slide; });
-  text += has_slides ? " and metres\n" : "\n";
+  text += has_slides(arm) ? " and metres\n" : "\n";
   for (const HeldJoint& joint : arm.held) {
     if (const auto swept = swept_joint(report, 0); swept && swept->name == joint.name) continue;
     text += "held: " + joint.name + " = " + exact_text(joint.value) +

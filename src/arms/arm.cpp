@@ -215,6 +215,11 @@ Arm make_arm(const Robot& robot, const ArmChoice& choice) {
   return arm;
 }
 
+bool has_slides(const Arm& arm) {
+  return std::any_of(arm.joints.begin(), arm.joints.end(),
+                     [](const ArmJoint& joint) { return joint.is_slide; });
+}
+
 std::vector<Eigen::Isometry3d> joint_frames(const Arm& arm, const Eigen::VectorXd& values) {
   require_values(arm, values);
   std::vector<Eigen::Isometry3d> frames;

@@ -76,11 +76,8 @@ bool can_move(const PostureList& list) {
 
 /// However the joints turn, all links in a row do not reach so far.
 bool is_out_of_reach(const PostureList& list) {
-  const Arm& arm = list.arm;
-  const bool has_slides = std::any_of(arm.joints.begin(), arm.joints.end(),
-                                      [](const ArmJoint& joint) { return joint.is_slide; });
-  const double reach = arm.length * (1 + list.accuracy + arm.rounding);
-  return !has_slides && list.pose.translation().norm() > reach;
+  const double reach = list.arm.length * (1 + list.accuracy + list.arm.rounding);
+  return !has_slides(list.arm) && list.pose.translation().norm() > reach;
 }
 
 std::string message_of(const Arm& arm, const PostureList& list, const ArmResult& result) {
@@ -217,7 +214,7 @@ ArmResult finished(PoseSearch&& pose) {
   for (const ArmClosure& closure : list.closures) {
     if (!closure.beyond.empty()) ++result.counts.beyond_limits;
   }
-  if (list.nearest) {
+  if (has_none(list) && list.nearest) {
     list.nearest->apart = misfit_of(list.arm, list.pose, list.nearest->values);
   }
   result.message = message_of(list.arm, list, result);

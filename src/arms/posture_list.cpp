@@ -162,6 +162,12 @@ std::optional<std::size_t> add(PostureList& list, TracedSet&& traced, bool is_wi
   return std::nullopt;
 }
 
+/// One that the accuracy of the pose leaves open, or the digits beyond that.
+std::optional<std::size_t> add_open(PostureList& list, TracedSet&& traced) {
+  const bool is_within_digits = traced.motion.misfit > list.accuracy;
+  return add(list, std::move(traced), is_within_digits);
+}
+
 /// As rounding tells; of a piece that ends, the set that it is a piece of, where that holds the
 /// pose within its accuracy.
 std::optional<TracedSet> trace_exactly(const PostureList& list, const Eigen::VectorXd& from) {
@@ -188,8 +194,7 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
     if (set_of(list, closure.values, is_any)) return std::nullopt;
     auto traced = trace_set(list.arm, list.pose, closure.values, accuracy, list.seed);
     if (!traced) continue;
-    const bool is_within_digits = traced->motion.misfit > list.accuracy;
-    return add(list, std::move(*traced), is_within_digits);
+    return add_open(list, std::move(*traced));
   }
   return std::nullopt;
 }
@@ -203,8 +208,7 @@ void follow_digits(PostureList& list, const Polished& place) {
     if (set_of(list, place.values, is_any)) return;
     auto traced = trace_set(list.arm, list.pose, place.values, accuracy, list.seed);
     if (!traced || set_of(list, traced->motion.values, is_any)) continue;
-    const bool is_within_digits = traced->motion.misfit > list.accuracy;
-    add(list, std::move(*traced), is_within_digits);
+    add_open(list, std::move(*traced));
     return;
   }
 }
@@ -337,8 +341,7 @@ void follow_branches(PostureList& list) {
         const int weak = weak_directions(list, values, accuracy);
         if (weak <= dimension_told(list, values, accuracy)) continue;
         for (TracedSet& set : sets_through(list, values, weak, accuracy)) {
-          const bool is_within_digits = set.motion.misfit > list.accuracy;
-          add(list, std::move(set), is_within_digits);
+          add_open(list, std::move(set));
         }
       }
     }

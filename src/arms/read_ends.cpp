@@ -66,8 +66,9 @@ std::optional<std::size_t> closure_of(const SingularEnd& end, const PostureList&
   return nearest;
 }
 
-/// On a set that is there within digits only the arm as typed has closures. They were looked for
-/// along a curve (near_closures.h), not on a surface.
+/// On a set that is there within digits only the arm as typed has closures. Along a curve signs
+/// tell where (near_closures.h); on a surface they were sought from places that are apart, and that
+/// says nothing of what lies between.
 bool is_searched(const SelfMotion& set) {
   return set.dimension == 1 && (set.misfit > kReach || has_ends(set));
 }

@@ -6,11 +6,12 @@
 // tip least. Random steps along them, put right by Newton's method, come back to the set if there
 // is one; it has as many dimensions as these places span.
 // A set of dimension 1 is followed in steps of kStep to both sides until it closes or ends. Of a
-// larger one random ways are followed.
+// larger one ways along its directions and random ones are followed.
 // An exact set may be small: steps are then a tenth or a hundredth of that.
 //   relations: r . q = constant on the whole set, for its joints that move, where it is a piece of
 //   a plane in joint space
-// Closures of the arm may lie on a set that is there only within the accuracy (near_closures.h).
+// Closures of the arm may lie on a set that is there only within the accuracy: between places of a
+// curve (near_closures.h), anywhere on a surface.
 #pragma once
 
 #include <optional>
@@ -22,7 +23,7 @@ namespace moivre {
 
 struct TracedSet {
   SelfMotion motion;
-  /// Near places where the arm closes exactly, if the set does so only within the accuracy.
+  /// Of a set within the accuracy only: where Newton's method is begun for closures.
   std::vector<Eigen::VectorXd> near_closures;
 };
 

@@ -63,6 +63,9 @@ struct ArmChoice {
 /// Throws std::invalid_argument with every fault, and the links or joints to choose from.
 Arm make_arm(const Robot& robot, const ArmChoice& choice);
 
+/// Whether a joint slides.
+bool has_slides(const Arm& arm);
+
 /// Each joint's frame after its motion, in the base's frame: B_1 J_1 ... B_k J_k. Its origin is on
 /// the joint's axis.
 std::vector<Eigen::Isometry3d> joint_frames(const Arm& arm, const Eigen::VectorXd& values);
