@@ -162,8 +162,22 @@ std::optional<std::size_t> add(PostureList& list, TracedSet&& traced, bool is_wi
   return std::nullopt;
 }
 
+/// Whether one is told that is as clear and goes there. A set is followed from closures that stand
+/// on it, again and again, and drifts aside by what the accuracy leaves open.
+bool is_told(const PostureList& list, const SelfMotion& set) {
+  constexpr double kBeside = 0.03, kAsClear = 3;
+  return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& told) {
+    if (told.dimension < set.dimension || told.misfit > kAsClear * set.misfit) return false;
+    const auto is_there = [&](const Eigen::VectorXd& values) {
+      return is_on(list.arm, told, values, kBeside);
+    };
+    return is_there(set.values) && is_there(set.samples.front()) && is_there(set.samples.back());
+  });
+}
+
 /// One that the accuracy of the pose leaves open, or the digits beyond that.
 std::optional<std::size_t> add_open(PostureList& list, TracedSet&& traced) {
+  if (is_told(list, traced.motion)) return std::nullopt;
   const bool is_within_digits = traced.motion.misfit > list.accuracy;
   return add(list, std::move(traced), is_within_digits);
 }
