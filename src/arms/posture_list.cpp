@@ -162,11 +162,11 @@ std::optional<std::size_t> add(PostureList& list, TracedSet&& traced, bool is_wi
   return std::nullopt;
 }
 
-/// Whether one is told that is as clear and goes there. A set is followed from closures that stand
-/// on it, again and again, and drifts aside by what the accuracy leaves open.
-bool is_told(const PostureList& list, const SelfMotion& set) {
+/// The one that is told, is as clear, and goes there; or the end. A set is followed from closures
+/// that stand on it, again and again, and drifts aside by what the accuracy leaves open.
+std::vector<SelfMotion>::iterator told_as(PostureList& list, const SelfMotion& set) {
   constexpr double kBeside = 0.03, kAsClear = 3;
-  return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& told) {
+  return std::find_if(list.moves.begin(), list.moves.end(), [&](const SelfMotion& told) {
     if (told.dimension < set.dimension || told.misfit > kAsClear * set.misfit) return false;
     const auto is_there = [&](const Eigen::VectorXd& values) {
       return is_on(list.arm, told, values, kBeside);
@@ -177,9 +177,16 @@ bool is_told(const PostureList& list, const SelfMotion& set) {
 
 /// One that the accuracy of the pose leaves open, or the digits beyond that.
 std::optional<std::size_t> add_open(PostureList& list, TracedSet&& traced) {
-  if (is_told(list, traced.motion)) return std::nullopt;
-  const bool is_within_digits = traced.motion.misfit > list.accuracy;
-  return add(list, std::move(traced), is_within_digits);
+  SelfMotion& set = traced.motion;
+  const bool is_within_digits = set.misfit > list.accuracy;
+  const auto told = told_as(list, set);
+  if (told == list.moves.end()) return add(list, std::move(traced), is_within_digits);
+  const bool is_flatter = told->relations.empty() && !set.relations.empty();
+  if (is_flatter && told->dimension == set.dimension) {
+    set.within_digits = is_within_digits;
+    *told = std::move(set);
+  }
+  return std::nullopt;
 }
 
 /// As rounding tells; of a piece that ends, the set that it is a piece of, where that holds the

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <optional>
 
-#include "moivre/factorization/qr.h"
 #include "random_values.h"
 #include "self_motion.h"
 #include "set_place.h"
@@ -229,9 +228,9 @@ bool is_on_plane(const PlaceOfEnd& end, const PostureList& list) {
   return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
     const bool is_told = is_exact(set) || (is_searched(set) && set.misfit > kReach);
     if (set.relations.empty() || !is_told) return false;
-    if (!is_on(list.arm, set, end.values, kOnPlane)) return false;
-    const Eigen::VectorXd along = PivotedQr<double>(set.directions).solve(end.imaginary);
-    return (end.imaginary - set.directions * along).norm() <= kOnPlane;
+    // Relations are real: real and imaginary parts are along the plane.
+    return is_on(list.arm, set, end.values, kOnPlane) &&
+           is_on(list.arm, set, end.values + end.imaginary, kOnPlane);
   });
 }
 
