@@ -287,6 +287,11 @@ class NearestPosture:
         return f"<moivre.NearestPosture: misses by {self.position:.2g} m and {self.rotation:.2g} rad>"
 
 
+def _posture_array(name):
+    """An attribute that is made when it is first asked for."""
+    return functools.cached_property(lambda postures: postures._found.posture_array(name))
+
+
 class Postures:
     """All joint values for N poses (N = 1 where one pose was given). Made by `Arm.ik`.
 
@@ -317,18 +322,22 @@ class Postures:
 
     def __init__(self, found):
         self._found = found
-        arrays = found.arrays()
-        self.values = arrays["values"]
-        self.in_limits = arrays["in_limits"]
+        arrays = found.pose_arrays()
         self.counts = arrays["counts"]
         self.moves = arrays["moves"]
         self.decided = arrays["complete"]
-        self.residual = arrays["residual"]
-        self.within_digits = arrays["within_digits"] == 1
-        self.moved_by_digits = arrays["moved_by_digits"]
-        self.smallest_singular_value = arrays["smallest_singular_value"]
-        self.distance = arrays.get("distance")
         self.complete = bool(self.decided.all())
+
+    values = _posture_array("values")
+    in_limits = _posture_array("in_limits")
+    residual = _posture_array("residual")
+    moved_by_digits = _posture_array("moved_by_digits")
+    smallest_singular_value = _posture_array("smallest_singular_value")
+    distance = _posture_array("distance")
+
+    @functools.cached_property
+    def within_digits(self):
+        return self._found.posture_array("within_digits") == 1
 
     def __len__(self):
         return len(self.counts)

@@ -150,38 +150,57 @@ py::array_t<double> padded(const Postures& run, std::size_t width, std::size_t n
   return array;
 }
 
-/// A row for each posture: its joint values, and what is known of it.
-void add_posture_arrays(const Postures& run, std::size_t width, py::dict& arrays) {
-  const std::size_t joints = run.of->arm.joints.size();
-  const auto copy = [](const Eigen::VectorXd& values, double* row) {
-    std::copy(values.data(), values.data() + values.size(), row);
-  };
-  const auto numbers = [&](auto read) {
-    return padded(run, width, 1, [&](const ArmClosure& c, double* row) { *row = read(c); });
-  };
-  // Where there is one joint, too, an array has an axis of joints.
-  const auto shaped = [&](py::array_t<double> array) {
-    return array.reshape(std::vector<py::ssize_t>{static_cast<py::ssize_t>(run.poses),
-                                                  static_cast<py::ssize_t>(width),
-                                                  static_cast<py::ssize_t>(joints)});
-  };
-  arrays["values"] = shaped(
-      padded(run, width, joints, [&](const ArmClosure& c, double* row) { copy(c.values, row); }));
-  arrays["in_limits"] = shaped(padded(
-      run, width, joints, [&](const ArmClosure& c, double* row) { copy(c.in_limits, row); }));
-  arrays["residual"] = numbers([](const ArmClosure& c) { return c.residual; });
-  arrays["smallest_singular_value"] =
-      numbers([](const ArmClosure& c) { return c.smallest_singular_value; });
-  arrays["moved_by_digits"] = numbers([](const ArmClosure& c) { return c.moved_by_digits; });
-  arrays["within_digits"] = numbers([](const ArmClosure& c) { return c.within_digits ? 1 : 0; });
-  if (!run.stands) return;
-  arrays["distance"] = numbers(
-      [&](const ArmClosure& c) { return distance_from(run.of->arm, c.in_limits, *run.stands); });
-}
-
-py::dict posture_arrays(const Postures& run) {
+std::size_t width_of(const Postures& run) {
   std::size_t width = kMostPostures;
   for (const ArmResult& result : run.results) width = std::max(width, result.closures.size());
+  return width;
+}
+
+/// (poses, width, joints): the joint values of each posture. Where there is one joint, too, the
+/// array has an axis of joints.
+py::array_t<double> joint_array(const Postures& run, const Eigen::VectorXd ArmClosure::*values) {
+  const std::size_t width = width_of(run);
+  const std::size_t joints = run.of->arm.joints.size();
+  const auto copy = [&](const ArmClosure& closure, double* row) {
+    std::copy_n((closure.*values).data(), joints, row);
+  };
+  return padded(run, width, joints, copy)
+      .reshape(std::vector<py::ssize_t>{static_cast<py::ssize_t>(run.poses),
+                                        static_cast<py::ssize_t>(width),
+                                        static_cast<py::ssize_t>(joints)});
+}
+
+/// (poses, width): read(closure), a number.
+template <class Read>
+py::array_t<double> number_array(const Postures& run, Read read) {
+  return padded(run, width_of(run), 1, [&](const ArmClosure& c, double* row) { *row = read(c); });
+}
+
+/// A row for each posture. Each array is made when it is asked for: those of 100 000 poses fill 200
+/// MB, and to touch these takes longer than Ctrl-C may.
+py::object posture_array(const Postures& run, const std::string& name) {
+  if (name == "values") return joint_array(run, &ArmClosure::values);
+  if (name == "in_limits") return joint_array(run, &ArmClosure::in_limits);
+  if (name == "residual") {
+    return number_array(run, [](const ArmClosure& c) { return c.residual; });
+  }
+  if (name == "smallest_singular_value") {
+    return number_array(run, [](const ArmClosure& c) { return c.smallest_singular_value; });
+  }
+  if (name == "moved_by_digits") {
+    return number_array(run, [](const ArmClosure& c) { return c.moved_by_digits; });
+  }
+  if (name == "within_digits") {
+    return number_array(run, [](const ArmClosure& c) { return c.within_digits ? 1 : 0; });
+  }
+  if (!run.stands) return py::none();
+  return number_array(run, [&](const ArmClosure& c) {
+    return distance_from(run.of->arm, c.in_limits, *run.stands);
+  });
+}
+
+/// What is known of each pose: (poses).
+py::dict pose_arrays(const Postures& run) {
   py::array_t<std::int64_t> counts(static_cast<py::ssize_t>(run.poses));
   py::array_t<bool> complete(static_cast<py::ssize_t>(run.poses));
   py::array_t<bool> moves(static_cast<py::ssize_t>(run.poses));
@@ -193,7 +212,6 @@ py::dict posture_arrays(const Postures& run) {
     moves.mutable_at(at) = is_done && !run.results[k].moves.empty();
   }
   py::dict arrays;
-  add_posture_arrays(run, width, arrays);
   arrays["counts"] = counts;
   arrays["complete"] = complete;
   arrays["moves"] = moves;
@@ -389,7 +407,8 @@ void bind_arms(py::module_& module) {
 
   py::class_<Postures>(module, "Postures")
       .def_readonly("seconds", &Postures::seconds)
-      .def("arrays", &posture_arrays)
+      .def("posture_array", &posture_array)
+      .def("pose_arrays", &pose_arrays)
       .def("names", &names_of)
       .def("turns", &turns_of)
       .def("motions", &motions_of)

@@ -47,6 +47,22 @@ print(r.message)
     assert float(seconds) < 0.3 + 0.7 * (os.getloadavg()[0] > os.cpu_count())
 
 
+@pytest.mark.parametrize("tracker", ["cvode", "lanes"])
+def test_ctrl_c_in_a_long_list_of_poses_returns_at_once(tracker):
+    puma = os.path.join(os.path.dirname(__file__), "../../problems/robots/puma560.urdf")
+    done = run(f"""
+arm = moivre.Arm({puma!r})
+poses = arm.fk([[0.3 + 1e-5 * k, -0.5, 0.3, 0.4, 0.5, 0.6] for k in range(100_000)])
+threading.Timer(1.0, press).start()
+q = arm.ik(poses, tracker={tracker!r})
+print(time.perf_counter() - begin[0], q.complete, q.counts[0], q.counts[-1])
+""")
+    assert done.returncode == 0, done.stderr
+    seconds, complete, first, last = done.stdout.split()
+    assert complete == "False" and first == "8" and last == "0"
+    assert float(seconds) < 0.3 + 0.7 * (os.getloadavg()[0] > os.cpu_count())
+
+
 def test_ctrl_c_pressed_twice_raises_keyboard_interrupt():
     done = run("""
 def twice():

@@ -2,8 +2,8 @@
 // Joint values as a table: one closure a line.
 #include <numbers>
 
+#include "listed.h"
 #include "moivre/arm_report/arm_report.h"
-#include "moivre/arms/turns.h"
 #include "moivre/report/csv_cell.h"
 #include "moivre/report/number_text.h"
 
@@ -33,14 +33,8 @@ std::string arm_csv(const ArmReport& report, bool in_degrees) {
     text += '\n';
   };
   for (std::size_t pose = 0; pose < report.results.size(); ++pose) {
-    for (const ArmClosure& closure : report.results[pose].closures) {
-      if (!report.has_all_turns) {
-        add_line(pose, closure, closure.in_limits);
-        continue;
-      }
-      for (const Eigen::VectorXd& values : all_turns(report.arm, closure.in_limits)) {
-        add_line(pose, closure, values);
-      }
+    for (const ListedPosture& line : listed(report, report.results[pose])) {
+      add_line(pose, *line.closure, line.values);
     }
   }
   return text;

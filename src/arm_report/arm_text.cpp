@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <string_view>
 
+#include "listed.h"
 #include "moivre/arm_report/arm_report.h"
 #include "moivre/arms/posture.h"
 #include "moivre/arms/turns.h"
@@ -36,8 +37,12 @@ std::string rounded_text(double x) {
   return text;
 }
 
-/// A miss of both kinds, as it is compared with an accuracy.
-std::string miss_text(double x) { return rounded_text(x) + " rad or arm's lengths"; }
+/// A miss of both kinds, as it is compared with an accuracy: next to nothing is not nothing.
+std::string miss_text(double x) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", x);
+  return text + std::string(" rad or arm's lengths");
+}
 
 std::size_t width_of(const ArmJoint& joint) { return std::max(kWidth, joint.name.size() + 2); }
 
@@ -182,19 +187,12 @@ std::string moves_text(const ArmResult& result, const Arm& arm) {
   return text;
 }
 
-std::string closure_lines(const ArmClosure& closure, const Arm& arm, const ArmReport& report) {
-  if (!report.has_all_turns) return closure_line(closure, closure.in_limits, arm, report);
-  std::string text;
-  for (const Eigen::VectorXd& values : all_turns(arm, closure.in_limits)) {
-    text += closure_line(closure, values, arm, report);
-  }
-  return text;
-}
-
 std::string result_text(const ArmResult& result, const Arm& arm, const ArmReport& report) {
   std::string text = answer(result);
   if (!result.closures.empty()) text += table_head(arm);
-  for (const ArmClosure& closure : result.closures) text += closure_lines(closure, arm, report);
+  for (const ListedPosture& line : listed(report, result)) {
+    text += closure_line(*line.closure, line.values, arm, report);
+  }
   return text + weakest_text(result, arm) + moves_text(result, arm);
 }
 

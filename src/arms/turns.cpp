@@ -121,6 +121,14 @@ double distance_from(const Arm& arm, const Eigen::VectorXd& values, const Eigen:
   return largest;
 }
 
+bool is_nearer(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+               const Eigen::VectorXd& stands) {
+  const auto rank = [&](const Eigen::VectorXd& values) {
+    return std::round(distance_from(arm, values, stands) / kAlike);
+  };
+  return rank(a) < rank(b);
+}
+
 void require_standing(const Arm& arm, const Eigen::VectorXd& stands) {
   if (stands.size() == std::ssize(arm.joints) && stands.allFinite()) return;
   throw InvalidInput("where the arm stands takes a finite value for each of its " +
@@ -133,11 +141,9 @@ void sort_by_distance(const Arm& arm, const Eigen::VectorXd& stands,
   for (ArmClosure& closure : closures) {
     closure.in_limits = nearest_turns(arm, closure.in_limits, stands);
   }
-  const auto rank = [&](const ArmClosure& closure) {
-    return std::round(distance_from(arm, closure.in_limits, stands) / kAlike);
-  };
-  std::stable_sort(closures.begin(), closures.end(),
-                   [&](const ArmClosure& a, const ArmClosure& b) { return rank(a) < rank(b); });
+  std::stable_sort(closures.begin(), closures.end(), [&](const ArmClosure& a, const ArmClosure& b) {
+    return is_nearer(arm, a.in_limits, b.in_limits, stands);
+  });
 }
 
 }  // namespace moivre

@@ -266,6 +266,15 @@ TEST_F(RobotCommands, WhereTheArmStandsOrdersTheClosuresAndTurnsAreListed) {
     before = closure.at("distance").get<double>();
     EXPECT_GE(closure.at("turns").size(), 1U);
   }
+  const Outcome table = scene.run({"closures", kPuma, "--pose", kPose, "--nearest",
+                                   "0.4 1 2.4 -180deg 1 6", "--limits", "wrap"});
+  std::vector<double> distances;
+  for (std::size_t at = table.out.find("distance "); at != std::string::npos;
+       at = table.out.find("distance ", at + 1)) {
+    distances.push_back(std::stod(table.out.substr(at + 9)));
+  }
+  EXPECT_GT(distances.size(), json.at("closures").size());
+  EXPECT_TRUE(std::is_sorted(distances.begin(), distances.end())) << table.out;
   const Outcome few = scene.run({"closures", kPuma, "--pose", kPose, "--nearest", "1 2"});
   EXPECT_EQ(few.exit_code, 1);
   EXPECT_TRUE(contains(few.err, "--nearest has 2 values, the chain has 6 free joints")) << few.err;

@@ -34,13 +34,16 @@ Eigen::VectorXd nearest_turns(const Arm& arm, const Eigen::VectorXd& values,
 /// Throws InvalidInput unless there is a finite value for each joint.
 void require_standing(const Arm& arm, const Eigen::VectorXd& stands);
 
-/// The closures in the order of their distance from where the arm stands, those of one distance (to
-/// nine decimals) as they were;
-/// `in_limits` with the nearest turns.
+/// The closures in the order of is_nearer(), those of one distance as they were; `in_limits` with
+/// the nearest turns.
 void sort_by_distance(const Arm& arm, const Eigen::VectorXd& stands,
                       std::vector<ArmClosure>& closures);
 
 /// Whole turns count.
 double distance_from(const Arm& arm, const Eigen::VectorXd& values, const Eigen::VectorXd& stands);
+
+/// Whether a's distance is less than b's, to nine decimals.
+bool is_nearer(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+               const Eigen::VectorXd& stands);
 
 }  // namespace moivre
