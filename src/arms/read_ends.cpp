@@ -113,7 +113,8 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
   const SixJoints& six = beginning.six;
   const bool has_all_joints = six.own.size() == kSixJoints;
   const double accuracy = list.accuracy + list.arm.rounding;
-  // What a pose leaves open may be as large as a pair is far from real.
+  // What a pose leaves open may be as large as a pair is far from real: of a straight wrist two
+  // turns of opposite sense may be infinitely far from real, and their sum is.
   const bool is_coarse = list.accuracy > kReach;
   bool are_read = true;
   if (beginning.regular.far == 0) {
@@ -124,7 +125,7 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
   }
   for (std::size_t k = 0; k < ends.size(); ++k) {
     const ApproachEnd& end = ends[k];
-    if (end.kind == ApproachKind::infinite || end.kind == ApproachKind::lost) continue;
+    if (end.kind == ApproachKind::lost) continue;
     const double imaginary = imaginary_size(six.arm, end.values);
     const Eigen::VectorXd start = own_values(six, end.values.real());
     if (end.kind == ApproachKind::singular) {
@@ -133,11 +134,13 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
           {place_of(six, end), imaginary, added_size(beginning, end), end.to_go});
       continue;
     }
-    const bool counts = added_size(beginning, end) <= kMargin * accuracy;
+    const bool is_infinite = end.kind == ApproachKind::infinite;
+    const bool counts = !is_infinite && added_size(beginning, end) <= kMargin * accuracy;
     const std::size_t places = list.places.size();
     const bool is_nearly_real = is_coarse || imaginary <= kNearlyReal;
     const PostureEntry entry = is_nearly_real ? enter(list, start, false) : PostureEntry{};
     if (list.places.size() > places) seen.between_pairs.push_back(list.places.back());
+    if (is_infinite) continue;
     // Of axes that meet but for the file's digits two may be in line: then there are closures to
     // which no path leads, near this pair.
     if (!is_nearly_real && has_all_joints) enter(list, start, false);

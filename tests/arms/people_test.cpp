@@ -4,7 +4,9 @@
 // poses at singular postures and within 1e-9 to 1e-3 of them.
 #include <gtest/gtest.h>
 
-#include <cstdio>
+#include <iomanip>
+#include <numbers>
+#include <sstream>
 
 #include "moivre/arms/poses.h"
 #include "robots.h"
@@ -150,11 +152,11 @@ Arm made_of(const PeoplesArm& peoples) {
   return make_arm(read_urdf(read_source(file)), {std::nullopt, std::nullopt, peoples.held});
 }
 
-bool is_told(const Arm& arm, const ArmResult& result, const Eigen::VectorXd& own) {
-  constexpr double kNear = 1e-5;
-  if (least_distance(arm, result, own) < kNear) return true;
+bool is_told(const Arm& arm, const ArmResult& result, const Eigen::VectorXd& own,
+             double near = 1e-5) {
+  if (least_distance(arm, result, own) < near) return true;
   return std::any_of(result.moves.begin(), result.moves.end(),
-                     [&](const SelfMotion& set) { return is_on(arm, set, own, kNear); });
+                     [&](const SelfMotion& set) { return is_on(arm, set, own, near); });
 }
 
 void expect_own_postures(const Tracker& tracker, std::uint64_t seed) {
@@ -427,6 +429,16 @@ TEST(PeoplesArmsTest, ExactSetsOfACoarsePoseAreTold) {
   }
 }
 
+/// As a file of poses with so many decimals has it.
+TypedPose rounded_pose(const Eigen::Isometry3d& tip, int decimals) {
+  const Eigen::Quaterniond turn(tip.linear());
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(decimals);
+  for (const double x : tip.translation()) text << x << ' ';
+  text << turn.w() << ' ' << turn.x() << ' ' << turn.y() << ' ' << turn.z();
+  return read_poses({"pose", text.str()}).front();
+}
+
 /// Its elbow is stretched: rounded to three decimals the pose may be out of reach.
 TEST(PeoplesArmsTest, APoseRoundedOutOfReachIsHeldWithinItsAccuracy) {
   const Arm arm = arm_of(DenavitHartenberg{
@@ -436,13 +448,7 @@ TEST(PeoplesArmsTest, APoseRoundedOutOfReachIsHeldWithinItsAccuracy) {
     SCOPED_TRACE(index);
     Eigen::VectorXd own = random_values(arm, 3, index);
     own[2] = 0;
-    const Eigen::Isometry3d tip = forward_kinematics(arm, own);
-    const Eigen::Quaterniond turn(tip.linear());
-    char text[200];
-    std::snprintf(text, sizeof text, "%.3f %.3f %.3f %.3f %.3f %.3f %.3f", tip.translation().x(),
-                  tip.translation().y(), tip.translation().z(), turn.w(), turn.x(), turn.y(),
-                  turn.z());
-    const TypedPose rounded = read_poses({"pose", text}).front();
+    const TypedPose rounded = rounded_pose(forward_kinematics(arm, own), 3);
     const ArmResult result = find_arm_closures(arm, rounded, lanes(), one_thread());
     EXPECT_TRUE(result.complete) << result.message;
     const auto is_near = [&](const Eigen::VectorXd& values) {
@@ -462,6 +468,20 @@ TEST(PeoplesArmsTest, APoseRoundedOutOfReachIsHeldWithinItsAccuracy) {
                                  });
   }
   EXPECT_GT(out_of_reach, 3U);
+}
+
+/// Typed with 1.5708 a wrist cannot be quite straight: where the pose asks it to, the joints on
+/// either side of it are infinitely far from real, and the pose is held within its accuracy.
+TEST(PeoplesArmsTest, AWristThatMissesAStraightOneByTheDigitsIsTold) {
+  const Arm arm = made_of({"kawasaki_four_digits", {}, {}});
+  constexpr double kHalf = std::numbers::pi;
+  const Eigen::VectorXd own{{kHalf / 2, kHalf / 2, kHalf, kHalf / 4, kHalf, kHalf / 2}};
+  const TypedPose rounded = rounded_pose(forward_kinematics(arm, own), 4);
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const ArmResult result = find_arm_closures(arm, rounded, lanes(), one_thread(seed));
+    EXPECT_TRUE(is_told(arm, result, own, 1e-3)) << result.message;
+  }
 }
 
 }  // namespace
