@@ -479,7 +479,9 @@ TEST(PeoplesArmsTest, AWristThatMissesAStraightOneByTheDigitsIsTold) {
   const TypedPose rounded = rounded_pose(forward_kinematics(arm, own), 4);
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE(seed);
-    const ArmResult result = find_arm_closures(arm, rounded, lanes(), one_thread(seed));
+    // As one of a list: more searches from random postures would often find it.
+    const ArmResult result =
+        find_arm_closures(arm, std::vector{rounded}, lanes(), one_thread(seed)).front();
     EXPECT_TRUE(is_told(arm, result, own, 1e-3)) << result.message;
   }
 }
