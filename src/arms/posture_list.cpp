@@ -9,6 +9,7 @@
 
 #include "moivre/factorization/svd.h"
 #include "moivre/mechanism/closure_id.h"
+#include "near_curves.h"
 #include "self_motion.h"
 #include "set_place.h"
 
@@ -22,6 +23,8 @@ constexpr double kOnSet = 1e-4;
 /// A set that reaches farther than this, radians, is looked for where the accuracy may move a joint
 /// so far.
 constexpr double kReachesFar = 0.05;
+/// Closures and sets from which further ones are looked for.
+constexpr std::size_t kMostFollowed = 64;
 
 /// By how much a tip that stands may seem to move.
 constexpr double kRounding = 1e-12;
@@ -263,6 +266,17 @@ std::vector<TracedSet> sets_through(const PostureList& list, const Eigen::Vector
   return sets;
 }
 
+/// Other curves as the pose and the file have them, next to those that are told.
+void follow_near_curves(PostureList& list) {
+  for (std::size_t k = 0; k < std::min(kMostFollowed, list.moves.size()); ++k) {
+    if (list.moves[k].dimension != 1 || !stands_whole(list.moves[k])) continue;
+    for (const Eigen::VectorXd& start :
+         near_curves(list.arm, list.pose, list.moves[k].samples, list.accuracy)) {
+      enter(list, start, false);
+    }
+  }
+}
+
 }  // namespace
 
 bool is_exact(const SelfMotion& set) { return !set.within_digits && set.misfit <= kReach; }
@@ -351,10 +365,10 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
 }
 
 void follow_branches(PostureList& list) {
-  constexpr std::size_t kMost = 64;
+  follow_near_curves(list);
   constexpr double kFiner[] = {1, 0.1, 0.01};
   for (const double widest : left_open(list)) {
-    for (std::size_t k = 0; k < std::min(kMost, list.closures.size()); ++k) {
+    for (std::size_t k = 0; k < std::min(kMostFollowed, list.closures.size()); ++k) {
       if (list.closures[k].smallest_singular_value > widest / kReachesFar) continue;
       const Eigen::VectorXd values = list.closures[k].values;
       for (const double fine : kFiner) {

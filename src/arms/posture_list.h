@@ -55,6 +55,7 @@ PostureEntry enter(PostureList& list, const Polished& polished);
 /// Sets through closures where more directions are open, within the digits or a finer accuracy,
 /// than the told sets go along. Where sets cross all are followed; and what the digits leave open
 /// lets places drift aside from a set that is open within much less, and hides it in a region.
+/// Before these, exact curves that come near to those that are told.
 void follow_branches(PostureList& list);
 
 /// The place between two closures that are not real by so little that the pose is held within its

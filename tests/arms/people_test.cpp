@@ -486,5 +486,26 @@ TEST(PeoplesArmsTest, AWristThatMissesAStraightOneByTheDigitsIsTold) {
   }
 }
 
+/// Next to home three axes are nearly in line. Two of them are along each of two curves, which come
+/// within 1e-7 of each other.
+TEST(PeoplesArmsTest, CurvesThatNearlyMeetAreAllTold) {
+  const Arm arm = made_of({"iiwa14_all_digits", {{"joint_1", 0.3}}, {}});
+  constexpr Eigen::Index kUpperArm = 1, kForearm = 3, kWrist = 5;
+  constexpr double kTurn = 0.8;
+  for (std::uint64_t index = 0; index < 8; ++index) {
+    SCOPED_TRACE(index);
+    const Eigen::VectorXd own = 1e-7 * random_values(arm, 3, index);
+    const ArmResult result =
+        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread());
+    EXPECT_TRUE(result.complete) << result.message;
+    for (const Eigen::Index other : {kUpperArm, kWrist}) {
+      Eigen::VectorXd turned = own;
+      turned[kForearm] += kTurn;
+      turned[other] -= kTurn;
+      EXPECT_TRUE(is_told(arm, result, turned, 1e-3)) << other;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace moivre::test
