@@ -2,12 +2,12 @@
 // The grammar of expression.h in PEGTL's words, and how its matches build the tree.
 #include "moivre/expression/expression.h"
 
-#include <array>
 #include <iterator>
 #include <optional>
 #include <tao/pegtl.hpp>
 #include <utility>
 
+#include "moivre/expression/lookalikes.h"
 #include "moivre/expression/utf8.h"
 #include "next_summand.h"
 #include "number.h"
@@ -327,36 +327,15 @@ std::string quoted(char c) {
   return std::string("the byte 0x") + kHex[byte >> 4U] + kHex[byte & 0xFU];
 }
 
-/// What copied text has in the place of a typed character.
-struct Lookalike {
-  std::string_view printed;
-  std::string_view typed;
-};
-constexpr std::array<Lookalike, 11> kLookalikes = {{{"\u2212", "-"},
-                                                    {"\u2013", "-"},
-                                                    {"\u00B7", "*"},
-                                                    {"\u22C5", "*"},
-                                                    {"\u00D7", "*"},
-                                                    {"\u00F7", "/"},
-                                                    {"\u00B2", "^2"},
-                                                    {"\u00B3", "^3"},
-                                                    {"\u2264", "<="},
-                                                    {"\u2265", ">="},
-                                                    {"\u00A0", " "}}};
-
-/// The whole character that begins `text`; of one that is only printed, also what is typed for it.
-std::string quoted_character(std::string_view text) {
-  const std::size_t length = utf8_length(text);
-  if (length < 2) return quoted(text.front());
-  const std::string_view character = text.substr(0, length);
-  std::string message = '`' + std::string(character) + '`';
-  for (const Lookalike& one : kLookalikes) {
-    if (one.printed == character) message += "; type `" + std::string(one.typed) + "` for it";
-  }
-  return message;
+/// The whole character at text[at]; of one that is no expression's, also what is meant by it.
+std::string quoted_character(std::string_view text, std::size_t at) {
+  const std::size_t length = utf8_length(text.substr(at));
+  const std::string character =
+      length < 2 ? quoted(text[at]) : '`' + std::string(text.substr(at, length)) + '`';
+  return character + lookalike_advice(text, at);
 }
 
-/// The number, name or single character that begins `text`, as a message quotes it.
+/// The number or name that begins `text`, or its first character, as a message quotes it.
 std::string first_word(std::string_view text) {
   constexpr std::size_t kLongestWord = 40;
   std::size_t end = 0;
@@ -364,7 +343,7 @@ std::string first_word(std::string_view text) {
          (is_name_character(text[end]) || text[end] == '.')) {
     ++end;
   }
-  return end == 0 ? quoted_character(text) : '`' + std::string(text.substr(0, end)) + '`';
+  return end == 0 ? quoted(text.front()) : '`' + std::string(text.substr(0, end)) + '`';
 }
 
 /// Two operands side by side; across a line end the sign of a lost end of the expression.
@@ -389,7 +368,7 @@ std::string unexpected(std::string_view text, std::size_t at, std::size_t line) 
   if (c == ')') return kUnopened;
   if (c == '(' || c == '.' || is_name_character(c)) return juxtaposition(text, at, line);
   if (c == '=') return kSecondSign;
-  return "unexpected character: " + quoted_character(text.substr(at));
+  return "unexpected character: " + quoted_character(text, at);
 }
 
 std::string missing_operand(std::string_view text, std::size_t at) {
@@ -397,8 +376,7 @@ std::string missing_operand(std::string_view text, std::size_t at) {
   if (at == text.size()) return wanted + ", but the expression ends here";
   const char c = text[at];
   const bool is_operator = std::string_view("+-*/^").find(c) != std::string_view::npos;
-  return wanted + ", found " + (is_operator ? "the operator " : "") +
-         quoted_character(text.substr(at));
+  return wanted + ", found " + (is_operator ? "the operator " : "") + quoted_character(text, at);
 }
 
 SyntaxFault fault_at(const SourcePosition& at, Expected what, const Builder& b) {

@@ -10,6 +10,7 @@
 
 #include "expand.h"
 #include "moivre/expression/counted.h"
+#include "moivre/expression/lookalikes.h"
 #include "moivre/expression/words.h"
 #include "number_functions.h"
 #include "read_formats.h"
@@ -133,14 +134,19 @@ void add_faults(const std::vector<SourcePosition>& places, const std::string& me
   }
 }
 
+/// An equation or a condition, or what is meant as one or as a comment (x ≤ 2, // a circle): such a
+/// line is refused where it is read, with what to type for it.
+bool is_meant_as_statement(const Statement& line) {
+  if (has_equals(line.text) || is_condition(line.text)) return true;
+  const std::string meant = with_what_is_meant(line.text);
+  return has_equals(meant) || is_condition(meant) || meant.starts_with('#');
+}
+
 /// Of a text without `;`: the equations and conditions, one a line. None where no line is either;
 /// where some are, each other line is a fault.
 std::vector<Statement> equations_by_line(const Statement& text, std::vector<Diagnostic>& faults) {
   std::vector<Statement> lines = lines_of(text);
-  const auto is_statement = [](const Statement& line) {
-    return has_equals(line.text) || is_condition(line.text);
-  };
-  const auto others = std::stable_partition(lines.begin(), lines.end(), is_statement);
+  const auto others = std::stable_partition(lines.begin(), lines.end(), is_meant_as_statement);
   std::vector<SourcePosition> unread;
   for (auto line = others; line != lines.end(); ++line) unread.push_back(line->begin);
   lines.erase(others, lines.end());
@@ -191,7 +197,7 @@ Layout layout_of(const Source& source, std::vector<Diagnostic>& faults) {
 
 bool reads_like_mathematics(std::string_view text) {
   const std::string_view line = text.substr(0, text.find('\n'));
-  return line.find_first_of("+*^=") != std::string_view::npos;
+  return with_what_is_meant(line).find_first_of("+*^=") != std::string::npos;
 }
 
 /// Does the text behind the last `;` parse as a polynomial that lost its own?
@@ -301,13 +307,18 @@ std::string no_equation(const Layout& layout) {
          "ends with `;`";
 }
 
-/// A condition behind the last `;`, which text that is no mathematics would be left alone.
-void check_last_condition(const Layout& layout, std::vector<Diagnostic>& faults) {
+/// A condition behind the last `;`, or what is meant as one.
+bool ends_with_condition(const Layout& layout) {
   Statement line = layout.rest;
-  line.text = trimmed(line.text.substr(0, line.text.find('\n')));
-  if (is_condition(line.text) && parses_as_condition(line)) {
-    faults.push_back({line.begin, "this condition has no `;` behind it"});
-  }
+  const std::string meant = with_what_is_meant(line.text.substr(0, line.text.find('\n')));
+  line.text = trimmed(meant);
+  return is_condition(line.text) && parses_as_condition(line);
+}
+
+/// Text that is no mathematics would be left alone.
+void check_last_condition(const Layout& layout, std::vector<Diagnostic>& faults) {
+  if (!ends_with_condition(layout)) return;
+  faults.push_back({layout.rest.begin, "this condition has no `;` behind it"});
 }
 
 void check_polynomial_count(const Layout& layout, std::vector<Diagnostic>& faults) {
@@ -316,10 +327,11 @@ void check_polynomial_count(const Layout& layout, std::vector<Diagnostic>& fault
   if (!layout.count) {
     if (found == 0) {
       if (faults.empty()) faults.push_back({layout.rest.begin, no_equation(layout)});
-    } else if (has_rest &&
+    } else if (has_rest && !ends_with_condition(layout) &&
                (reads_like_mathematics(layout.rest.text) || is_expression(layout.rest))) {
-      faults.push_back(
-          {layout.rest.begin, "this polynomial has no `;` behind it" + why_each_needs_it(layout)});
+      faults.push_back({layout.rest.begin, "this polynomial has no `;` behind it" +
+                                               why_each_needs_it(layout) +
+                                               lookalike_advice(layout.rest.text, 0)});
     }
     return;
   }

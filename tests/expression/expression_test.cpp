@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace moivre {
@@ -98,6 +99,20 @@ TEST(Expression, PointsAtTheFault) {
   EXPECT_EQ(fault("a, b").message, "unexpected character: `,`");
   EXPECT_EQ(fault("a \u2212 b").message, "unexpected character: `\u2212`; type `-` for it");
   EXPECT_EQ(fault("a\u00B2").message, "unexpected character: `\u00B2`; type `^2` for it");
+  const auto advice = [](const char* text) {
+    const std::string message = fault(text).message;
+    return message.substr(std::min(message.find("; "), message.size()));
+  };
+  EXPECT_EQ(advice("\u221A2*a"), "; type `sqrt(2)` for `\u221A2`");
+  EXPECT_EQ(advice("a - \u00BD"), "; type `1/2` for it");
+  EXPECT_EQ(advice("a \u2192 2"), "; type `=` for it");
+  EXPECT_EQ(advice("a \u2260 0").substr(0, 17), "; conditions have");
+  EXPECT_EQ(advice("a_{1} + b"), "; an index is typed `a_1`");
+  EXPECT_EQ(advice("a^{2} + b"), "; an exponent is typed `x^2` or `x^(-2)`");
+  for (const char* text : {"a // b", "// b", "a /* b */", "/* b */", "a % b", "% b"}) {
+    EXPECT_EQ(advice(text).substr(0, 27), "; a comment begins with `#`") << text;
+  }
+  EXPECT_EQ(advice("a*/b"), "");
   EXPECT_EQ(fault("a \u2297 b").message, "unexpected character: `\u2297`");
   EXPECT_EQ(fault("a + \u00B7").message,
             "expected a number, a name or `(`, found `\u00B7`; type `*` for it");

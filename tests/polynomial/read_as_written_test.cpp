@@ -101,6 +101,33 @@ TEST(AsWritten, WhatLooksLikeALetterAndIsNoneIsRefused) {
   EXPECT_THROW(read_text("x \u00d7 y - 1;"), ParseError);
 }
 
+/// The faults as they are shown.
+std::string refusal_of(const std::string& text) {
+  try {
+    read_text(text);
+  } catch (const ParseError& refusal) {
+    return refusal.what();
+  }
+  return "";
+}
+
+TEST(AsWritten, OtherLanguagesSignsOfACommentAreRefusedWithTheOneOfFiles) {
+  const auto has = [](const std::string& text, const char* part) {
+    return refusal_of(text).find(part) != std::string::npos;
+  };
+  for (const char* sign : {"//", "%", "/*"}) {
+    const std::string comment = std::string(sign) + " two curves";
+    for (const std::string& text :
+         {comment + "\nx^2 + y^2 = 4\nx*y = 1\n", "x^2 + y^2 = 4 " + comment + "\nx*y = 1\n",
+          comment + "\nx^2 + y^2 - 4;\nx*y - 1;\n", "x - 1; " + comment + "\ny - 1;\n",
+          "x - 1; y - 1; " + comment + ", a = 2"}) {
+      EXPECT_TRUE(has(text, "a comment begins with `#`")) << text << refusal_of(text);
+      EXPECT_FALSE(has(text, "this line has no `=`")) << text << refusal_of(text);
+    }
+  }
+  EXPECT_TRUE(has("x - 1;\nx\u00B7y \u2212 1\n", "no `;` behind it"));
+}
+
 TEST(AsWritten, DenominatorsAreWrittenAndReadBack) {
   for (const char* text :
        {"x/(y - 1) + 2; x*y - 3;", "1/x + 1/y - 3; x*y/(x + y) - 2/(x^2 - 3);"}) {

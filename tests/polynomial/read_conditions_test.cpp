@@ -58,6 +58,9 @@ TEST(Conditions, AreRefusedWhereTheyCannotBeMeant) {
                                                 {1, 22, "`z` occurs in this condition"},
                                                 {1, 22, "the exponent is not a number"}});
   expect_faults("x^2 - 1; x \u2264 2;", {{1, 12, "type `<=` for it"}});
+  expect_faults("x^2 = 1\nx \u2264 2\n", {{2, 3, "type `<=` for it"}});
+  expect_faults("x^2 = 1\nx \u2260 1\n", {{2, 3, "conditions have `<`"}});
+  expect_faults("x^2 - 1;\nx \u2264 2\n", {{2, 1, "this condition has no `;` behind it"}});
 }
 
 TEST(Conditions, LeaveNoDenominatorInTheSystem) {
