@@ -10,12 +10,23 @@ import numpy as np
 
 from . import _moivre
 from ._progress import told
-from ._solve import chosen, in_degrees, place, write
+from ._solve import chosen, in_degrees, no_such, place, write
 from ._toml import to_toml
 
 
 class Body(types.SimpleNamespace):
     """Where a body stands: x, y, phi of a planar one; x, y, z, rx, ry, rz (a rotation vector) of a spatial one. Angles in radians."""
+
+
+class _ByName(dict):
+    """Points or bodies by their names."""
+
+    def __init__(self, listed, *what):
+        super().__init__(listed)
+        self._what = what
+
+    def __missing__(self, name):
+        raise no_such(name, list(self), *self._what)
 
 
 class _Named:
@@ -25,7 +36,7 @@ class _Named:
         try:
             return float(self.q[self.names.index(name)])
         except ValueError:
-            raise KeyError(f"{name}: the coordinates are {', '.join(self.names)}") from None
+            raise no_such(name, self.names, "coordinate", "coordinates") from None
 
 
 class _Told:
@@ -195,8 +206,8 @@ class Closures(_Reported):
         core = self._mechanism._core
         places = core.points_at(self.q[k])
         wide = 3 if core.is_spatial else 2
-        points = {name: place[:wide] for name, place in zip(core.points, places)}
-        bodies = {} if core.is_typed else _bodies(self.names, self.q[k])
+        points = _ByName({name: place[:wide] for name, place in zip(core.points, places)}, "point", "points")
+        bodies = _ByName({} if core.is_typed else _bodies(self.names, self.q[k]), "body", "bodies")
         return Closure(self.ids[k], tuple(self.names), self.q[k], bodies, points, self._arrays["certified"][k],
                        bool(self._arrays["singular"][k]), int(self._arrays["multiplicity"][k]),
                        float(self._arrays["residual"][k]), float(self._arrays["misfit"][k]),
@@ -458,9 +469,10 @@ class Sensitivity(_Told):
 
     def rate(self, quantity, dimension, closure=0):
         """d quantity / d dimension at one closure."""
-        for name, names in ((quantity, self.quantities), (dimension, self.dimensions)):
+        for name, names, what in ((quantity, self.quantities, ("quantity", "quantities")),
+                                  (dimension, self.dimensions, ("dimension", "dimensions"))):
             if name not in names:
-                raise KeyError(f"{name}: there are {', '.join(names)}")
+                raise no_such(name, names, *what)
         rates = self[closure].rates
         return float(rates[self.quantities.index(quantity), self.dimensions.index(dimension)])
 

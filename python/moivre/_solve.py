@@ -37,6 +37,14 @@ def place(listed, index, what):
         raise TypeError(f"a {what} is asked for by its number, not by {index!r}") from None
 
 
+def no_such(name, known, what, several):
+    """What a KeyError says of a name that is not there: the one that was meant, or those that are."""
+    from difflib import get_close_matches
+    near = get_close_matches(str(name), known, 1)
+    there = f"did you mean '{near[0]}'?" if near else f"the {several} are {', '.join(known) or 'none'}"
+    return KeyError(f"there is no {what} {name}; {there}")
+
+
 def write(text, path):
     """Returns the text, or writes it to a file."""
     if path is None:
@@ -88,7 +96,7 @@ class Root:
         try:
             value = self.x[self.variables.index(str(variable))]
         except ValueError:
-            raise KeyError(f"{variable}: the unknowns are {', '.join(self.variables)}") from None
+            raise no_such(variable, self.variables, "unknown", "unknowns") from None
         return value.real if self.real else value
 
     def keys(self):

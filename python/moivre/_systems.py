@@ -81,7 +81,7 @@ def _polynomial_terms(expression, symbols):
         terms = [(c, monomial) for monomial, c in sympy.Poly(expression, *symbols).terms() if c != 0]
     except sympy.PolynomialError:
         return None
-    except (sympy.polys.polyerrors.BasePolynomialError, IndexError):  # of a Piecewise, of symbols that are matrices
+    except (sympy.polys.polyerrors.BasePolynomialError, IndexError):
         raise ValueError(f"{expression}: an equation has numbers, unknowns and functions of numbers") from None
     coefficients = [_rational_parts(c) for c, _ in terms]
     return None if None in coefficients else (coefficients, [monomial for _, monomial in terms])
@@ -137,16 +137,28 @@ def _condition_text(relation):
     return f"{sides[0]} {relation.rel_op} {sides[1]}"
 
 
+def _parts(conditions):
+    """Each by itself, where sympy's And holds several."""
+    for condition in conditions:
+        if not _is_sympy(condition):
+            yield condition
+            continue
+        from sympy import And, Not, Or
+        if isinstance(condition, (Or, Not)):
+            raise ValueError(f"{condition}: {type(condition).__name__} is no condition: all conditions of a list, or of And, are to hold")
+        yield from _parts(condition.args) if isinstance(condition, And) else [condition]
+
+
 def _is_inequality(value):
     """Whether it is one of sympy's x > 0, x >= 0, x < 0, x <= 0."""
     return _is_sympy(value) and getattr(value, "rel_op", None) in ("<", "<=", ">", ">=")
 
 
 def conditions_of(where):
-    """Conditions as texts, from a text, a relation of sympy, or a list of them."""
+    """Conditions as texts, from a text, a relation of sympy or an And of them, or a list of these."""
     listed = [where] if isinstance(where, str) or _is_sympy(where) else where
     texts = []
-    for condition in listed if hasattr(listed, "__iter__") else [listed]:
+    for condition in _parts(listed if hasattr(listed, "__iter__") else [listed]):
         if not isinstance(condition, str) and not _is_inequality(condition):
             raise ValueError(f'where: {condition!r} is no condition; a text, "x*y > 2", or a relation of sympy is wanted')
         texts.append(condition if isinstance(condition, str) else _condition_text(condition))
@@ -154,6 +166,7 @@ def conditions_of(where):
 
 
 def _of_sympy(equations, variables, parameters):
+    equations = list(_parts(equations))
     system = _of_expressions([e for e in equations if not _is_inequality(e)], variables, parameters)
     return _moivre.with_conditions(system, [_condition_text(e) for e in equations if _is_inequality(e)])
 
@@ -180,6 +193,10 @@ def _sides(equation, what):
         return [side for entry in _entries(given) for side in _sides(entry, what)]
     if not isinstance(given, sympy.Expr) or given.has(sympy.nan, sympy.oo, -sympy.oo, sympy.zoo):
         raise ValueError(f"{what}: {equation} is no expression with finite numbers")
+    if given.has(sympy.Piecewise):
+        raise ValueError(f"{what}: {given}: a Piecewise is several equations; solve each piece by itself, with its condition in where=")
+    if given.has(sympy.MatrixSymbol):
+        raise ValueError(f"{what}: {given}: unknowns are symbols, not entries of a MatrixSymbol; take sympy.Matrix(2, 2, sympy.symbols('x:4'))")
     return [given]
 
 
@@ -189,9 +206,15 @@ def _of_expressions(equations, variables, parameters):
     is_exact = not any(side.has(sympy.Float) for side in given)
     # Beside a float sympy would round every other number.
     expressions = [side.xreplace({x: sympy.Rational(x) for x in side.atoms(sympy.Float)}) for side in given]
-    symbols = _symbols(expressions, variables, parameters)
+    found = set().union(*(e.free_symbols for e in expressions))
+    symbols = _symbols(found, variables, parameters)
     if not symbols:
         raise ValueError("the equations have no unknown")
+    names = [str(s) for s in found.union(symbols)]
+    for name in sorted({name for name in names if names.count(name) > 1}):
+        raise ValueError(f"two different symbols are called {name}: Symbol('{name}') and Symbol('{name}', real=True) are two; make one and use it")
+    for name in (str(p) for p in symbols[len(symbols) - len(parameters):] if p not in found):
+        raise ValueError(f"the system has no name {name}; its names are {', '.join(map(str, sorted(found, key=_natural)))}")
     for k, expression in enumerate(expressions):
         stray = sorted(map(str, expression.free_symbols - set(symbols)))
         if stray:
@@ -202,13 +225,12 @@ def _of_expressions(equations, variables, parameters):
     return _moivre.system_of_terms([str(s) for s in symbols], _shaped(terms, len(symbols)), is_exact)
 
 
-def _symbols(expressions, variables, parameters):
+def _symbols(found, variables, parameters):
+    """Unknowns and behind them parameters; a text is the symbol of its name."""
     import sympy
+    by_name = {str(symbol): symbol for symbol in found}
     if variables is not None:
-        return [sympy.Symbol(v) if isinstance(v, str) else v for v in [*variables, *parameters]]
-    by_name = {}
-    for symbol in set().union(*(e.free_symbols for e in expressions)) if expressions else ():
-        by_name.setdefault(str(symbol), symbol)
+        return [by_name.get(v, sympy.Symbol(v)) if isinstance(v, str) else v for v in [*variables, *parameters]]
     names = [str(p) for p in parameters]
     unknown = [s for name, s in by_name.items() if name not in names]
     given = [by_name.get(name, sympy.Symbol(name)) for name in names]
@@ -227,7 +249,10 @@ def _of_arrays(equations, variables):
     is_exact = True
     for k, (coefficients, exponents) in enumerate(equations):
         what = f"equation {k + 1}"
-        powers = numpy.asarray(exponents)
+        try:
+            powers = numpy.asarray(exponents)
+        except ValueError:
+            raise ValueError(f"{what}: exponents are whole numbers of shape (terms, variables); its rows are not of one length") from None
         if powers.ndim != 2 or not numpy.issubdtype(powers.dtype, numpy.integer):
             raise ValueError(f"{what}: exponents are whole numbers of shape (terms, variables)")
         exact = [_exact(c, what) for c in (coefficients.tolist() if hasattr(coefficients, "tolist") else coefficients)]

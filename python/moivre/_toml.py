@@ -35,6 +35,8 @@ def _value(value, where):
         return "[" + ", ".join(_value(item, f"{where}[{k}]") for k, item in enumerate(value)) + "]"
     if isinstance(value, dict):
         return "{" + ", ".join(f"{_key(k)} = {_value(v, f'{where}.{k}')}" for k, v in value.items()) + "}"
+    if value is None:
+        raise ValueError(f"{where}: None has no place in a mechanism file; leave the key out")
     raise ValueError(f"{where}: {type(value).__name__} has no place in a mechanism file")
 
 
@@ -48,8 +50,6 @@ def to_toml(table, path=()):
     inner = []
     for key, value in table.items():
         here = (*path, str(key))
-        if value is None:
-            continue
         if isinstance(value, dict):
             inner.append("[" + ".".join(map(_key, here)) + "]\n" + to_toml(value, here))
         elif _is_table_list(value):

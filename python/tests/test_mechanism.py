@@ -43,7 +43,7 @@ def test_closures_are_found_by_letter(four_bar):
     with pytest.raises(KeyError, match="there are A, B"):
         c["C"]
     with pytest.raises(KeyError, match="the coordinates are"):
-        c[0]["crank.psi"]
+        c[0]["height"]
 
 
 def test_a_dictionary_has_the_keys_of_the_file(tmp_path):
@@ -79,6 +79,8 @@ def test_an_unknown_key_is_named_with_its_neighbour():
     (lambda d: d["joint"][1].update(limts=[0, 1]), r"^joint 2 \(revolute at \[.*\]\), 'limts': unknown key 'limts'"),
     (lambda d: d["driver"][0].update(angle="crnk"), r"^driver 1, 'angle': there is no body 'crnk'; did you mean 'crank'"),
     (lambda d: d["body"].update({"a b": {"points": {"A": [0, 0]}}}), r"^body 'a b'.*letters, digits"),
+    (lambda d: d["body"].update({'c"d\\': {"points": {"A": [0, 0]}}}), r"^body 'c\"d\\'.*letters, digits"),
+    (lambda d: d["body"]["crank"]["points"].update(B=None), r"^body.crank.points.B: None"),
     (lambda d: d.update(units={"length": "mm", "angle": "turns"}), r"^units, 'angle': "),
 ])
 def test_a_fault_of_a_dictionary_is_told_by_what_it_is_in(change, words):
@@ -259,3 +261,11 @@ def test_json_of_mobility_and_guesses_is_that_of_the_command_line(problems, four
     m = moivre.Mechanism(four_bar)
     assert m.mobility().to_json() == command("mobility", four_bar)
     assert without_times(m.guesses().to_json()) == without_times(command("guesses", four_bar))
+
+
+def test_a_name_that_is_not_there_is_told_with_its_neighbour(four_bar):
+    c = moivre.Mechanism(four_bar).closures()[0]
+    for listed, name, meant in ((c.points, "coupler.Q", "coupler.P"), (c.bodies, "crnk", "crank"), (c, "crank.ph", "crank.phi")):
+        with pytest.raises(KeyError, match=f"there is no .* {name}; did you mean '{meant}'"):
+            listed[name]
+    assert "coupler.Q" not in c.points and c.points.get("coupler.Q") is None

@@ -210,6 +210,11 @@ def test_what_is_no_finite_number_is_refused(number):
         moivre.solve([([1, number], [[1], [0]])])
 
 
+def test_exponents_of_rows_that_differ_are_refused_by_their_equation():
+    with pytest.raises(ValueError, match="^equation 2: exponents are whole numbers .*rows are not of one length"):
+        moivre.solve([([1, -1], [[1, 0], [0, 0]]), ([1, -1], [[1, 0], [0]])])
+
+
 @pytest.mark.parametrize("exponents", [[[1.5], [0]], [[-1], [0]], [[1]], [1, 0], [[1, 0], [0, 0], [0, 0]]])
 def test_exponents_of_another_kind_are_refused(exponents):
     with pytest.raises(ValueError):

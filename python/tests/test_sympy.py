@@ -166,7 +166,33 @@ def test_inequalities_are_conditions():
     assert len(r) == 1 and r.filtered == 3 and r.real_points[0, 0] > r.real_points[0, 1]
 
 
-@pytest.mark.parametrize("equation", [sp.Piecewise((x, x > 0), (0, True)) - 1, sp.MatrixSymbol("X", 1, 1)[0, 0] ** 2 - 1])
-def test_what_is_no_function_of_a_text_is_refused_as_a_value(equation):
-    with pytest.raises(ValueError):
-        moivre.solve([equation])
+@pytest.mark.parametrize("equations, words", [
+    ([x - 1, sp.Piecewise((x, x > 0), (0, True)) - 1], "^equation 2: .*solve each piece by itself"),
+    ([sp.Matrix(sp.MatrixSymbol("X", 2, 2))**2 - sp.eye(2)], "^equation 1: .*entries of a MatrixSymbol; take sympy.Matrix"),
+    ([sp.MatrixSymbol("X", 1, 1)[0, 0] ** 2 - 1], "MatrixSymbol"),
+])
+def test_what_is_no_equation_of_symbols_is_refused_with_what_to_do(equations, words):
+    with pytest.raises(ValueError, match=words):
+        moivre.solve(equations)
+
+
+def test_two_symbols_of_one_name_are_told():
+    real = sp.Symbol("x", real=True)
+    for given in ({"equations": [x**2 - real]}, {"equations": [real**2 - 2], "variables": [x]}):
+        with pytest.raises(ValueError, match="two different symbols are called x"):
+            moivre.solve(**given)
+    assert moivre.solve([real**2 - 2], variables=["x"]).variables == ["x"]
+
+
+def test_and_is_the_list_of_its_conditions_and_no_other_word_is():
+    f = [x**2 - 1]
+    assert [root["x"] for root in moivre.solve(f, where=sp.And(x > 0, x < 2))] == [1]
+    assert len(moivre.solve([*f, sp.And(x > 0, x < 2)])) == 1 and len(moivre.solve(f, where=["x > 0", sp.And(x > -2, x < 2)])) == 1
+    for where, name in ((sp.Or(x > 1, x < 0), "Or"), (sp.Not(sp.Or(sp.Symbol("p"), x < 0), evaluate=False), "Not")):
+        with pytest.raises(ValueError, match=f"{name} is no condition"):
+            moivre.solve(f, where=where)
+
+
+def test_a_parameter_that_no_equation_has_is_refused():
+    with pytest.raises(ValueError, match="the system has no name q; its names are x"):
+        moivre.Family.learn([x**2 - 2], parameters=["q"])

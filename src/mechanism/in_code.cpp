@@ -18,10 +18,15 @@ struct Section {
   std::string type, at;
 };
 
+/// Names in it as they were given: a quote or backslash of theirs has one before it in the text.
 std::string without_quotes(std::string_view text) {
   std::string bare;
+  bool is_escaped = false;
   for (const char c : trimmed(text)) {
-    if (c != '"') bare += c;
+    const bool is_of_name = c != '"' && c != '\\';
+    if (is_escaped && is_of_name) bare += '\\';
+    if (is_escaped || is_of_name) bare += c;
+    is_escaped = !is_escaped && c == '\\';
   }
   return bare;
 }

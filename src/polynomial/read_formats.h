@@ -28,6 +28,9 @@ bool looks_like_julia(std::string_view text);
 /// The imaginary unit and pi, by the names that a PHCpack text may give them.
 Environment meanings_of_constants();
 
+/// The whole is one name to these readers, perhaps with an index.
+bool is_one_name(std::string_view text);
+
 /// Has the text one of the signs <, <=, >, >=?
 bool is_condition(std::string_view text);
 /// Does each side of its signs parse?

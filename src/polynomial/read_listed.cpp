@@ -79,12 +79,6 @@ bool ends_line(std::string_view text, std::size_t k) {
   return before.empty() || !continues(before.back());
 }
 
-/// The whole is one name, perhaps with an index.
-bool is_one_name(std::string_view text) {
-  const std::vector<NamePlace> names = names_in(text, {});
-  return names.size() == 1 && names.front().name == text;
-}
-
 void add_unknown(const Piece& name, System& system, Environment& names,
                  std::vector<Diagnostic>& faults) {
   const std::string text(name.text);
@@ -281,6 +275,11 @@ class JuliaReader {
 };
 
 }  // namespace
+
+bool is_one_name(std::string_view text) {
+  const std::vector<NamePlace> names = names_in(text, {});
+  return names.size() == 1 && names.front().name == text;
+}
 
 bool looks_like_msolve(std::string_view text) {
   if (text.find(';') != std::string_view::npos) return false;

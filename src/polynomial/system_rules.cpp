@@ -6,6 +6,7 @@
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/double_range.h"
 #include "moivre/polynomial/system.h"
+#include "read_formats.h"
 
 namespace moivre {
 namespace {
@@ -20,6 +21,20 @@ void check_names(const System& f, Rules& broken) {
       broken.push_back("unknown " + std::to_string(j + 1) + " has no name");
     } else if (!names.insert(name).second) {
       broken.push_back("two unknowns are called '" + name + "'");
+    }
+  }
+}
+
+/// Names that an equation in a file cannot hold. Results have such ones all the same: `i` of
+/// Bertini's files, x_{1} of sympy's expressions.
+void check_names_are_typed(const std::vector<std::string>& names, Rules& broken) {
+  const Environment meanings = meanings_of_constants();
+  for (const std::string& name : names) {
+    if (meanings.count(name) > 0) {
+      broken.push_back("'" + name + "' has a meaning of its own; choose another name");
+    } else if (!name.empty() && !is_one_name(name)) {
+      broken.push_back("'" + name +
+                       "' is no name of an unknown: a letter, then letters, digits, '_', '[1]'");
     }
   }
 }
@@ -113,7 +128,9 @@ std::vector<std::string> broken_rules(const Condition& condition, std::size_t un
 
 System make_system(std::vector<std::string> variables, std::vector<Polynomial> polynomials) {
   System f{std::move(variables), std::move(polynomials)};
-  require_unbroken(broken_rules(f));
+  Rules broken = broken_rules(f);
+  check_names_are_typed(f.variables, broken);
+  require_unbroken(broken);
   return held_by_double(std::move(f));
 }
 

@@ -143,10 +143,8 @@ void require_writable(const System& f, const std::vector<std::string>& reserved)
     throw InvalidInput("a system without polynomials or without variables has no text");
   }
   for (const std::string& name : f.variables) {
-    const std::vector<NamePlace> names = names_in(name, {});
-    const bool is_one_name = names.size() == 1 && names.front().name == name;
     const bool is_reserved = std::find(reserved.begin(), reserved.end(), name) != reserved.end();
-    if (!is_one_name || is_reserved || is_bertini_keyword(name)) {
+    if (!is_one_name(name) || is_reserved || is_bertini_keyword(name)) {
       throw InvalidInput("the variable's name `" + name + "` cannot be written");
     }
   }

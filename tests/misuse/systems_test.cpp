@@ -81,6 +81,22 @@ TEST(MisuseTest, EveryEntryRefusesAVariableThatIsNotThere) {
   refuse([&] { return make_system(f.variables, f.polynomials); });
 }
 
+TEST(MisuseTest, ASystemInCodeHasNamesThatAFileCanHold) {
+  const auto of_name = [](const char* name) { return make_system({name}, {unknown(0) - 1}); };
+  for (const char* name : {"2x", "x y", "x-1", "x_{1}", "f(x)"}) {
+    expect_refused([&] { return of_name(name); },
+                   "'" + std::string(name) + "' is no name of an unknown");
+  }
+  for (const char* name : {"i", "I", "pi", "\u03c0"}) {
+    expect_refused([&] { return of_name(name); }, "has a meaning of its own");
+  }
+  for (const char* name : {"x", "_x", "x[1]", "x_1", "\u03b8\u2081", "p_crank"}) {
+    EXPECT_EQ(of_name(name).variables, std::vector<std::string>{name});
+  }
+  // A result of Bertini's file has it.
+  EXPECT_EQ(solve(System{{"i"}, {unknown(0) - 1}}, cvode()).solutions.size(), 1U);
+}
+
 TEST(MisuseTest, AFamilyThatWasChangedIsRefused) {
   Family family = learned_square_root();
   family.roots[0] = {Complex(kNaN)};

@@ -157,7 +157,7 @@ std::vector<std::string> broken_rules(const System& f);
 /// The same of a condition in so many unknowns; its coefficients are real, too.
 std::vector<std::string> broken_rules(const Condition& condition, std::size_t unknowns);
 /// The polynomials in unknowns of these names, as double holds them (double_range.h). Throws
-/// InvalidInput with every broken rule.
+/// InvalidInput with every broken rule; names are such as an equation in a file can have, no i, pi.
 System make_system(std::vector<std::string> variables, std::vector<Polynomial> polynomials);
 
 std::vector<std::uint64_t> degrees(const System& f);
