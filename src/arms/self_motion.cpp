@@ -142,10 +142,15 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
   return way;
 }
 
+/// Of samples that are in a plane in joint space.
+struct JointPlane {
+  std::vector<JointRelation> relations;  ///< none: they are in no plane, or only one joint moves
+  MatrixXd along;  ///< orthonormal columns; rows of joints that stand still are 0
+};
+
 /// Rows r with r . (samples - first) = 0, in reduced echelon form over the joints that move. Digits
 /// such as 1.5708 bend a plane by a little.
-std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<VectorXd>& samples,
-                                        int dimension) {
+JointPlane plane_of(const Arm& arm, const std::vector<VectorXd>& samples, int dimension) {
   constexpr double kFlat = 3e-5;
   const Index n = samples.front().size();
   MatrixXd spread(std::ssize(samples), n);
@@ -157,8 +162,8 @@ std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<Vector
     const double unit = arm.joints[static_cast<std::size_t>(k)].is_slide ? arm.length : 1;
     if (spread.col(k).cwiseAbs().maxCoeff() > kFlat * unit) moving.push_back(k);
   }
-  if (moving.empty()) return {};
   const auto m = std::ssize(moving);
+  if (m == 0 || m < dimension) return {};
   MatrixXd of_moving(spread.rows(), m);
   for (Index k = 0; k < m; ++k) {
     of_moving.col(k) = spread.col(moving[static_cast<std::size_t>(k)]);
@@ -176,9 +181,9 @@ std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<Vector
       if (other != r) rows.row(other) -= double(rows(other, pivot)) * rows.row(r);
     }
   }
-  std::vector<JointRelation> relations;
+  JointPlane plane;
   for (Index r = 0; r < rows.rows(); ++r) {
-    JointRelation& relation = relations.emplace_back();
+    JointRelation& relation = plane.relations.emplace_back();
     relation.factors = VectorXd::Zero(n);
     for (Index k = 0; k < m; ++k) {
       const double nearest = std::round(rows(r, k));
@@ -195,7 +200,11 @@ std::vector<JointRelation> relations_of(const Arm& arm, const std::vector<Vector
     });
     if (has_single_turn) relation.value = reduced_turn(relation.value);
   }
-  return relations;
+  plane.along = MatrixXd::Zero(n, dimension);
+  for (Index k = 0; k < m; ++k) {
+    plane.along.row(moving[static_cast<std::size_t>(k)]) = stretch.V.row(k).head(dimension);
+  }
+  return plane;
 }
 
 /// A place at the beginning of a set that closes, as many whole turns on as the last one has gone.
@@ -360,14 +369,17 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   if (reached < (is_open ? kShortestCurve : kShortest) * probe) return std::nullopt;
   // A curve of postures ends nowhere: what is small and ends is near closures alone.
   if (size < 1 && !motion.closes && reached < kShortestCurve * kProbe) return std::nullopt;
+  JointPlane plane = plane_of(arm, motion.samples, motion.dimension);
   motion.directions = begin->ways;
   for (Index k = 0; k < motion.directions.cols(); ++k) {
-    motion.directions.col(k) =
-        in_joints<double>(arm, VectorXd(motion.directions.col(k))).normalized();
+    VectorXd direction = in_joints<double>(arm, VectorXd(motion.directions.col(k)));
+    // Where sets cross the directions at one place are of both.
+    if (!plane.relations.empty()) direction = plane.along * (plane.along.transpose() * direction);
+    motion.directions.col(k) = direction.normalized();
   }
   const Velocity6<double> least = least_moved(begin->place);
   motion.lost = {arm.length * least.head<3>(), least.tail<3>()};
-  motion.relations = relations_of(arm, motion.samples, motion.dimension);
+  motion.relations = std::move(plane.relations);
   for (std::size_t k = 0; k < arm.joints.size(); ++k) {
     double& value = motion.values[static_cast<Index>(k)];
     if (!arm.joints[k].is_slide) value = reduced_turn(value);

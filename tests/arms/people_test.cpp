@@ -507,5 +507,26 @@ TEST(PeoplesArmsTest, CurvesThatNearlyMeetAreAllTold) {
   }
 }
 
+/// The upper arm and the forearm are as long: folded, joint 2 turns the arm while joint 5 keeps the
+/// tool, and where that makes the wrist straight joints 4 and 6 move, too. Random searches come to
+/// the second kind of curve by luck.
+TEST(PeoplesArmsTest, CurvesThatCrossAreAllTold) {
+  const Arm arm = made_of({"epson_c4_all_digits", {}, {}});
+  constexpr double kQuarter = std::numbers::pi / 2;
+  const Eigen::VectorXd own{{kQuarter / 2, kQuarter / 2, kQuarter, 0, kQuarter / 2, kQuarter / 2}};
+  const std::vector poses{TypedPose{forward_kinematics(arm, own)}};
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const ArmResult result = find_arm_closures(arm, poses, lanes(), one_thread(seed)).front();
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.closures.size(), 4U) << "the arm turned over";
+    ASSERT_EQ(result.moves.size(), 4U);
+    for (const SelfMotion& set : result.moves) {
+      EXPECT_EQ(set.relations.size(), 1U);
+      EXPECT_EQ((set.directions.array().abs() > 0).count(), 2) << "of two joints";
+    }
+  }
+}
+
 }  // namespace
 }  // namespace moivre::test
