@@ -289,7 +289,7 @@ class NearestPosture:
 
 def _posture_array(name):
     """An attribute that is made when it is first asked for."""
-    return functools.cached_property(lambda postures: postures._found.posture_array(name))
+    return functools.cached_property(lambda postures: getattr(postures._found, name)())
 
 
 class Postures:
@@ -337,7 +337,7 @@ class Postures:
 
     @functools.cached_property
     def within_digits(self):
-        return self._found.posture_array("within_digits") == 1
+        return self._found.within_digits() == 1
 
     def __len__(self):
         return len(self.counts)

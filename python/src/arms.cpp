@@ -176,27 +176,28 @@ py::array_t<double> number_array(const Postures& run, Read read) {
   return padded(run, width_of(run), 1, [&](const ArmClosure& c, double* row) { *row = read(c); });
 }
 
-/// A row for each posture. Each array is made when it is asked for: those of 100 000 poses fill 200
-/// MB, and to touch these takes longer than Ctrl-C may.
-py::object posture_array(const Postures& run, const std::string& name) {
-  if (name == "values") return joint_array(run, &ArmClosure::values);
-  if (name == "in_limits") return joint_array(run, &ArmClosure::in_limits);
-  if (name == "residual") {
-    return number_array(run, [](const ArmClosure& c) { return c.residual; });
-  }
-  if (name == "smallest_singular_value") {
-    return number_array(run, [](const ArmClosure& c) { return c.smallest_singular_value; });
-  }
-  if (name == "moved_by_digits") {
-    return number_array(run, [](const ArmClosure& c) { return c.moved_by_digits; });
-  }
-  if (name == "within_digits") {
-    return number_array(run, [](const ArmClosure& c) { return c.within_digits ? 1 : 0; });
-  }
+/// Of each posture, where the arm stands somewhere.
+py::object distances(const Postures& run) {
   if (!run.stands) return py::none();
   return number_array(run, [&](const ArmClosure& c) {
     return distance_from(run.of->arm, c.in_limits, *run.stands);
   });
+}
+
+/// Arrays with a row for each posture, each made when it is asked for: those of 100 000 poses fill
+/// 200 MB, and to touch these takes longer than Ctrl-C may.
+void bind_posture_arrays(py::class_<Postures>& postures) {
+  const auto numbers = [&](const char* name, auto read) {
+    postures.def(name, [read](const Postures& run) { return number_array(run, read); });
+  };
+  postures.def("values", [](const Postures& run) { return joint_array(run, &ArmClosure::values); });
+  postures.def("in_limits",
+               [](const Postures& run) { return joint_array(run, &ArmClosure::in_limits); });
+  numbers("residual", [](const ArmClosure& c) { return c.residual; });
+  numbers("smallest_singular_value", [](const ArmClosure& c) { return c.smallest_singular_value; });
+  numbers("moved_by_digits", [](const ArmClosure& c) { return c.moved_by_digits; });
+  numbers("within_digits", [](const ArmClosure& c) { return c.within_digits ? 1 : 0; });
+  postures.def("distance", &distances);
 }
 
 /// What is known of each pose: (poses).
@@ -405,9 +406,9 @@ void bind_arms(py::module_& module) {
   });
   module.def("arm_ik", &postures);
 
-  py::class_<Postures>(module, "Postures")
-      .def_readonly("seconds", &Postures::seconds)
-      .def("posture_array", &posture_array)
+  py::class_<Postures> bound(module, "Postures");
+  bind_posture_arrays(bound);
+  bound.def_readonly("seconds", &Postures::seconds)
       .def("pose_arrays", &pose_arrays)
       .def("names", &names_of)
       .def("turns", &turns_of)

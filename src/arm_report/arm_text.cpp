@@ -29,20 +29,20 @@ std::string fixed_text(double x) {
   return std::string_view(text) == "-0.000000" ? "0.000000" : text;
 }
 
-/// Two digits, and a 0 for rounding.
-std::string rounded_text(double x) {
-  constexpr double kRounding = 1e-9;
+std::string two_digits(double x) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2g", std::abs(x) < kRounding ? 0 : x);
+  std::snprintf(text, sizeof text, "%.2g", x);
   return text;
 }
 
-/// A miss of both kinds, as it is compared with an accuracy: next to nothing is not nothing.
-std::string miss_text(double x) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", x);
-  return text + std::string(" rad or arm's lengths");
+/// Two digits, and a 0 for rounding.
+std::string rounded_text(double x) {
+  constexpr double kRounding = 1e-9;
+  return two_digits(std::abs(x) < kRounding ? 0 : x);
 }
+
+/// A miss of both kinds, as it is compared with an accuracy: next to nothing is not nothing.
+std::string miss_text(double x) { return two_digits(x) + " rad or arm's lengths"; }
 
 std::size_t width_of(const ArmJoint& joint) { return std::max(kWidth, joint.name.size() + 2); }
 

@@ -6,8 +6,8 @@
 //   circle    round such a place, in the plane of its two weakest directions; across it places are
 //             put right, and the pose is missed least at each curve that passes
 // Two of three axes that are nearly in line stay so along each of two curves, 1e-7 apart.
-// Edges: curves that touch and do not cross may be taken for one. Surfaces are not
-// looked at. Private to the module.
+// Edges: curves that touch and do not cross may be taken for one. Surfaces are not looked at.
+// Private to the module.
 #pragma once
 
 #include <vector>

@@ -144,7 +144,7 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
 
 /// Of samples that are in a plane in joint space.
 struct JointPlane {
-  std::vector<JointRelation> relations;  ///< none: they are in no plane, or only one joint moves
+  std::vector<JointRelation> relations;  ///< none: in no plane, or every joint that moves is free
   MatrixXd along;  ///< orthonormal columns; rows of joints that stand still are 0
 };
 
