@@ -221,37 +221,33 @@ System with_i_as_unknown(const System& f) {
 }
 
 /// Leaves the roots of f itself.
-void take_i_out(RingPoints& points) {
-  std::erase_if(points.simple, [](const auto& x) { return x.back().front().imag() < 0; });
-  for (auto& x : points.simple) x.pop_back();
-  points.multiple /= 2;
+void take_i_out(std::vector<RingPoint>& points) {
+  std::erase_if(points, [](const RingPoint& point) { return point.x.back().front().imag() < 0; });
+  for (RingPoint& point : points) point.x.pop_back();
 }
 
-std::optional<RingPoints> real_ring_points(const System& f, const RingPointsOptions& options,
-                                           std::uint64_t most_dimension) {
+std::optional<std::vector<RingPoint>> real_ring_points(const System& f,
+                                                       const RingPointsOptions& options,
+                                                       std::uint64_t most_dimension) {
   const auto representation = representation_of(f, options, most_dimension);
   if (!representation) return std::nullopt;
   FlintPolynomial minimal;
   representation->front().set_integers(minimal);
   SquarefreeFactors factors(minimal);
-  RingPoints result;
+  std::vector<RingPoint> result;
   for (slong k = 0; k < factors.count(); ++k) {
-    const slong count = fmpz_poly_degree(factors.factor(k));
-    if (factors.exponent(k) > 1) {
-      result.multiple += static_cast<std::uint64_t>(count);
-      continue;
-    }
-    if (count == 0) continue;
+    if (fmpz_poly_degree(factors.factor(k)) == 0) continue;
     auto points = points_on(*representation, factors.factor(k), options.bits);
     if (!points) return std::nullopt;
-    result.simple = std::move(*points);
+    for (auto& x : *points) result.push_back({std::move(x), factors.exponent(k)});
   }
   return result;
 }
 
 }  // namespace
 
-std::optional<RingPoints> ring_points(const System& f, const RingPointsOptions& options) {
+std::optional<std::vector<RingPoint>> ring_points(const System& f,
+                                                  const RingPointsOptions& options) {
   thread_local const FlintCaches caches;
   if (is_real(f)) return real_ring_points(f, options, kMostRingPoints);
   auto points = real_ring_points(with_i_as_unknown(f), options, 2 * kMostRingPoints);

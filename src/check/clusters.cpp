@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
-// Is a singular root what it is said to be? Where it is known exactly exact algebra counts its
-// multiplicity; elsewhere that is numerical, but a regular root in its place, or none near, is not.
+// Is a singular root what it is said to be? Where it is known exactly, or the quotient ring tells
+// all roots, exact algebra counts its multiplicity; elsewhere that is numerical, but a regular root
+// in its place, or none near, is not.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "bench.h"
 #include "moivre/certify/distinct.h"
+#include "moivre/certify/ring_points.h"
 #include "moivre/expression/counted.h"
 #include "moivre/numeric/random.h"
 #include "moivre/numeric/simplest.h"
+#include "moivre/polynomial/digits.h"
 #include "moivre/polynomial/exclusion.h"
 #include "moivre/polynomial/local_multiplicity.h"
+#include "moivre/polynomial/quotient_ring.h"
 
 namespace moivre {
 namespace {
@@ -22,6 +27,9 @@ constexpr std::uint64_t kMostFound = 12;
 constexpr int kClusterBits = 2 * kFirstArbBits;
 // Beyond this a disc says nothing of where a root is.
 constexpr double kWidestDisc = 1e-2;
+// The prime of the ring is another one than the solver's; ten seconds at most.
+constexpr std::uint64_t kRingSeed = 103;
+constexpr std::uint64_t kTermsOfRing = 1'000'000'000;
 
 /// Certified roots within the entry's disc that no other entry lists: a certificate each, distinct.
 std::size_t regular_roots_within(Bench& bench, Certifier& certifier, const Entry& entry,
@@ -55,15 +63,63 @@ std::size_t regular_roots_within(Bench& bench, Certifier& certifier, const Entry
   return firsts.size();
 }
 
-void judge_cluster(Bench& bench, Certifier& certifier, Entry& entry, const RootClaim& root,
-                   std::size_t number) {
+/// All roots, each with its multiplicity; none where the ring does not tell them.
+std::vector<RingPoint> points_of_ring(const System& f, const std::atomic<bool>& stop) {
+  const QuotientRing ring = quotient_ring(f, {.stop = &stop, .seed = kRingSeed});
+  const bool is_small = ring.verdict == QuotientRing::Verdict::finite &&
+                        ring.dimension <= kMostRingPoints && coefficient_errors(f).empty();
+  if (!is_small) return {};
+  auto points = ring_points(f, {.most_terms = kTermsOfRing, .stop = &stop, .seed = kRingSeed});
+  std::uint64_t sum = 0;
+  for (const RingPoint& point : points.value_or(std::vector<RingPoint>{})) sum += point.exponent;
+  return sum == ring.dimension ? std::move(*points) : std::vector<RingPoint>{};
+}
+
+/// Asks for the ring where it is first needed.
+class RingMultiplicities {
+ public:
+  explicit RingMultiplicities(const Bench& bench) : bench_(bench) {}
+
+  /// Of the one root within the entry's reach; 0 where there is none or several, or nothing is
+  /// known.
+  std::uint64_t at(const Entry& entry) {
+    if (!points_) points_ = points_of_ring(bench_.stand_in.system, bench_.stop);
+    std::uint64_t multiplicity = 0;
+    for (const RingPoint& point : *points_) {
+      if (!is_within(point, entry)) continue;
+      if (multiplicity > 0) return 0;
+      multiplicity = point.exponent;
+    }
+    return multiplicity;
+  }
+
+ private:
+  static bool is_within(const RingPoint& point, const Entry& entry) {
+    for (std::size_t j = 0; j < entry.x.size(); ++j) {
+      if (!(std::abs(point.x[j].front() - entry.x[j]) <= entry.reach)) return false;
+    }
+    return true;
+  }
+
+  const Bench& bench_;
+  std::optional<std::vector<RingPoint>> points_;
+};
+
+void judge_cluster(Bench& bench, Certifier& certifier, RingMultiplicities& multiplicities,
+                   Entry& entry, const RootClaim& root, std::size_t number) {
   Verdicts& verdicts = bench.verdicts;
   const std::uint64_t m = root.multiplicity;
   if (has_no_root_within(bench.stand_in.system, entry.x, entry.reach, m)) {
     entry.is_refuted = true;
     return verdicts.refute(ClaimKind::root, "no root lies within " + rough(entry.reach), number);
   }
-  const LocalRing ring = exact_ring(bench.stand_in.system, entry.x, entry.reach);
+  LocalRing ring = exact_ring(bench.stand_in.system, entry.x, entry.reach);
+  if (ring.dimension == 0 && !root.cluster) {
+    if (const std::uint64_t count = multiplicities.at(entry); count > 1) {
+      ring.dimension = count;
+      ring.is_isolated = true;
+    }
+  }
   const bool is_counted = ring.is_isolated && ring.dimension > 1;
   const bool may_be_several = root.cluster && (!is_counted || ring.dimension <= m);
   if (!may_be_several && (is_counted || (!ring.is_isolated && ring.dimension > m))) {
@@ -115,6 +171,7 @@ void judge_clusters(Bench& bench) {
   options.decide_reality = false;
   options.accuracy = kWidestDisc;
   Certifier certifier(make_certify_program(bench.stand_in.system), options);
+  RingMultiplicities multiplicities(bench);
   for (std::size_t k = 0; k < bench.entries.size(); ++k) {
     bench.require_time();
     const RootClaim& root = bench.claims.roots[k];
@@ -128,7 +185,7 @@ void judge_clusters(Bench& bench) {
       bench.verdicts.refute(ClaimKind::multiplicity, "a root has multiplicity 1 at least", k + 1);
     }
     if (!bench.entries[k].is_regular && !bench.entries[k].is_refuted) {
-      judge_cluster(bench, certifier, bench.entries[k], root, k + 1);
+      judge_cluster(bench, certifier, multiplicities, bench.entries[k], root, k + 1);
     }
   }
 }

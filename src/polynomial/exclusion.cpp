@@ -60,11 +60,9 @@ Coefficient exact(const Complex& x) { return {Rational(x.real()), Rational(x.ima
 
 class TaylorSums {
  public:
-  TaylorSums(const Point& x, double radius, std::uint64_t order) : radius_(radius), order_(order) {
-    for (const Complex& xj : x) {
-      x_.push_back(exact(xj));
-      size_.push_back(upper_size(x_.back()));
-    }
+  TaylorSums(const std::vector<Coefficient>& x, double radius, std::uint64_t order)
+      : radius_(radius), order_(order), x_(x) {
+    for (const Coefficient& xj : x_) size_.push_back(upper_size(xj));
   }
 
   Expansion expand(const Polynomial& p) {
@@ -199,6 +197,13 @@ bool combination_excludes(const std::vector<Expansion>& f, double radius) {
 }  // namespace
 
 bool has_no_root_within(const System& f, const Point& x, double radius,
+                        std::uint64_t multiplicity) {
+  std::vector<Coefficient> place;
+  for (const Complex& xj : x) place.push_back(exact(xj));
+  return has_no_root_within(f, place, radius, multiplicity);
+}
+
+bool has_no_root_within(const System& f, const std::vector<Coefficient>& x, double radius,
                         std::uint64_t multiplicity) {
   const std::size_t n = f.variables.size();
   TaylorSums expander(x, radius, exact_order(n, multiplicity));

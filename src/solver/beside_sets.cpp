@@ -9,6 +9,7 @@
 #include "clusters.h"
 #include "coincidence.h"
 #include "completeness.h"
+#include "ends.h"
 #include "judge.h"
 #include "tracking.h"
 
@@ -17,8 +18,6 @@ namespace {
 
 // So many that end at one point of a set, one at a time.
 constexpr std::size_t kMostOfOneEnd = 4;
-// The mean of sheets that circles have closed, relative to its size.
-constexpr double kMeanIsKnownTo = 1e-10;
 
 /// The paths to ends on sets of this kind.
 PathSet paths_to_sets(const Run& run, SetHere kind) {
@@ -60,7 +59,8 @@ class MeetingSheets {
     std::map<std::uint64_t, Point> elsewhere;
     for (const auto& [path, before] : before_) {
       if (!run_.ledger.failures().contains(path)) continue;
-      if (ends_elsewhere(path)) elsewhere.emplace(path, run_.ledger.last_points().at(path));
+      const auto last = run_.ledger.last_points().find(path);
+      if (last != run_.ledger.last_points().end()) elsewhere.emplace(path, last->second);
       run_.ledger.enter_root(path, Root(before));
     }
     for (const auto& [path, before] : before_) {
@@ -121,13 +121,6 @@ class MeetingSheets {
                  ? relative_distance(before.point.x, other.second) <= before.tolerance
                  : relative_distance(own->second, other.second) <= kMeanIsKnownTo;
     });
-  }
-
-  bool ends_elsewhere(std::uint64_t path) const {
-    const auto known = before_.find(path);
-    const auto last = run_.ledger.last_points().find(path);
-    return known != before_.end() && last != run_.ledger.last_points().end() &&
-           relative_distance(last->second, known->second.point.x) > kMeanIsKnownTo;
   }
 
   Run& run_;

@@ -36,19 +36,22 @@ std::map<std::uint64_t, PathSet> clusters_in(const Run& run, const Groups& group
   return clusters;
 }
 
-/// Of each cluster one path goes ahead to a regular end: where it finds one, so do the others.
-void climb_clusters(Run& run, const std::map<std::uint64_t, PathSet>& clusters,
-                    const std::function<void(const PathSet& paths)>& climb_these) {
+/// One path of each cluster goes ahead to a regular end.
+PathSet first_of(const std::map<std::uint64_t, PathSet>& clusters) {
   PathSet first;
   for (const auto& [path, cluster] : clusters) first.insert(path);
-  climb_these(first);
+  return first;
+}
+
+/// Where it has found a simple root, so do the others.
+PathSet others_of(const Run& run, const std::map<std::uint64_t, PathSet>& clusters) {
   PathSet others;
   for (const auto& [path, cluster] : clusters) {
     const auto root = run.ledger.roots().find(path);
     if (root == run.ledger.roots().end() || !root->second.point.simple) continue;
     others.insert(std::next(cluster.begin()), cluster.end());
   }
-  climb_these(others);
+  return others;
 }
 
 PathSet paths_failed_by(const Run& run, Failure reason) {
@@ -103,8 +106,9 @@ PathSet paths_at_infinity(const Run& run) {
 }  // namespace
 
 void part_in_double_double(Run& run) {
-  climb_clusters(run, clusters_in(run, groups_of(run)),
-                 [&](const PathSet& paths) { climb(run, paths, Taken::regular_ends); });
+  const auto clusters = clusters_in(run, groups_of(run));
+  climb(run, first_of(clusters), Taken::regular_ends);
+  climb(run, others_of(run, clusters), Taken::regular_ends);
 }
 
 void climb_failed_paths(Run& run) {
@@ -170,9 +174,8 @@ void climb_from_uncounted_roots(Run& run) {
   std::erase_if(clusters, [&](const auto& cluster) {
     return is_counted_by(exact, run.ledger.roots().at(cluster.first), cluster.second.size());
   });
-  climb_clusters(run, clusters, [&](const PathSet& paths) {
-    climb_beyond_double_double(run, *finer.front(), paths);
-  });
+  climb_while_it_helps(run, *finer.front(), first_of(clusters), [] { return false; });
+  climb_beyond_double_double(run, *finer.front(), others_of(run, clusters));
 }
 
 }  // namespace moivre

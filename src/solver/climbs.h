@@ -36,8 +36,7 @@ void climb_in_more_digits(Run& run);
 void climb_from_contradiction(Run& run);
 
 /// Simple roots as near to each other as 1e-45 pass for a multiple one in double-double. Where one
-/// path of a cluster comes to a simple root, so do the others; a regular end without a proof is
-/// none, since no multiple root has one.
+/// path of a cluster comes to a simple root, so do the others.
 void climb_from_uncounted_roots(Run& run);
 
 /// Some paths go ahead by `tracker`, then twice as many, as long as one of the last ones has found

@@ -145,6 +145,20 @@ Point last_point(const Run& run, const PathEnd& end) {
   return to_original(prepared, end.x);
 }
 
+bool is_where_it_was(const Run& run, std::uint64_t path, const Root& end) {
+  const auto known = run.ledger.roots().find(path);
+  return known != run.ledger.roots().end() &&
+         relative_distance(known->second.point.x, end.point.x) <= kMeanIsKnownTo;
+}
+
+void keep_sheet(Run& run, std::uint64_t path, const PathEnd& end) {
+  if (end.sheet.empty()) {
+    run.sheets.forget(path);
+  } else {
+    run.sheets.set(path, mark_of(end.sheet));
+  }
+}
+
 }  // namespace
 
 Root proved_root(Refiner& refiner, std::shared_ptr<const Certificate> proof) {
@@ -162,11 +176,6 @@ void count_following(Run& run, std::uint64_t path, const PathEnd& end) {
 
 void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
   count_following(run, path, end);
-  if (end.sheet.empty()) {
-    run.sheets.forget(path);
-  } else {
-    run.sheets.set(path, mark_of(end.sheet));
-  }
   const bool is_mixed = end.status != PathStatus::at_infinity && end.count.work.fine_values > 0;
   run.ledger.set_precision(path, run.setting.is_fine() ? PathPrecision::double_double
                                  : is_mixed            ? PathPrecision::mixed
@@ -176,9 +185,11 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
       run.ends.emplace_back(path, std::move(end));
       return;
     case PathStatus::at_infinity:
+      keep_sheet(run, path, end);
       run.ledger.enter_infinity(path, end.is_as_rounded);
       return;
     case PathStatus::failed:
+      keep_sheet(run, path, end);
       if (has_to_wait(run, end)) {
         run.waiting[path] = end.endgame_start ? std::move(*end.endgame_start) : EndgameStart{};
       } else {
@@ -188,7 +199,7 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
   }
 }
 
-void judge_ends(Run& run) {
+void judge_ends(Run& run, Unproved unproved) {
   std::sort(run.ends.begin(), run.ends.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Root> roots = judged_roots(run);
@@ -196,9 +207,11 @@ void judge_ends(Run& run) {
     const auto& [path, end] = run.ends[k];
     const bool is_root =
         roots[k].point.simple || (!run.setting.hides_terms() && is_known_singular(roots[k]));
+    if (!is_root && unproved == Unproved::agrees && is_where_it_was(run, path, roots[k])) continue;
+    keep_sheet(run, path, end);
     if (is_root) {
       run.ledger.enter_root(path, std::move(roots[k]));
-    } else if (run.effort == Effort::regular_ends) {
+    } else if (unproved == Unproved::waits) {
       run.waiting[path] = {};
     } else {
       run.ledger.enter_failure({path, Failure::precision, end.t, end.stage},

@@ -5,7 +5,7 @@
 //   simple       a root is proved there (certificates.h)
 //   singular     sheets meet, and the endgame has told how many: a root as accurate as the endgame
 //                found it
-//   otherwise    it shows no root in this precision: the path has failed
+//   otherwise    it shows no root in this precision: who followed the path says what that means
 #pragma once
 
 #include "run.h"
@@ -22,8 +22,18 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end);
 /// The simple root that is proved.
 Root proved_root(Refiner& refiner, std::shared_ptr<const Certificate> proof);
 
-/// Enters all finite ends that wait, on all threads. Where only regular ends are sought, what is
-/// not proved waits for more effort.
-void judge_ends(Run& run);
+/// The mean of sheets that circles have closed, relative to max(1, |x|_inf).
+inline constexpr double kMeanIsKnownTo = 1e-10;
+
+/// What becomes of a path whose end shows no root.
+enum class Unproved {
+  fails,
+  waits,  ///< for more effort
+  agrees  ///< with an end that circles have told, where it is the same point; else it fails: a path
+          ///< that comes to a multiple root without a turn lands there as on a simple one
+};
+
+/// Enters all finite ends that wait, on all threads.
+void judge_ends(Run& run, Unproved unproved);
 
 }  // namespace moivre

@@ -76,6 +76,7 @@ std::vector<std::vector<Coefficient>> fractions_near(const Point& x, double know
 }
 
 std::vector<ExactRoot> exact_roots(Run& run) {
+  if (!run.ring_roots.empty()) return run.ring_roots;
   look_near(run, Point(run.setting.f.variables.size()));
   for (const auto& [path, root] : run.ledger.roots()) {
     if (!root.point.simple && !is_on_set(run, root)) look_near(run, root.point.x);

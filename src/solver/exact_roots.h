@@ -12,7 +12,8 @@
 // one of these, where they and the simple roots are as many as a bound allows (completeness.h),
 // however badly its end was seen.
 // Edges: roots that are no fractions, sqrt(2), are none of these, nor are those of long
-// denominators. Private to the module.
+// denominators, unless the quotient ring has told all that are multiple (missing_roots.h). Private
+// to the module.
 #pragma once
 
 #include "run.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Points of the ring, proved, without those that have a path; each to the nearest path that is
-// open.
+// Points of the ring: simple ones proved, without those that have a path, each to the nearest path
+// whose end is not.
 #include "missing_roots.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace moivre {
 namespace {
 
 // Most need as many as the first; beside infinity, where the leading terms nearly vanish, it takes
-// more. Sums of doubles hold as many as the last.
+// more, and beside another root twice as many as part the two. Sums of doubles hold no more.
 constexpr int kFirstProofBits = 256;
 constexpr int kBitsOfPlace = 1024;
 
@@ -34,19 +34,37 @@ double projective_distance(const Point& x, const Point& y) {
   return std::sqrt(std::max(0.0, 1 - std::norm(inner) / (size_x * size_y)));
 }
 
-std::vector<ProvedPlace> proved(const Setting& setting, const RingPoints& points) {
+std::vector<ProvedPlace> simple_places(const Setting& setting,
+                                       const std::vector<RingPoint>& points) {
   Certifier certifier(setting.certify_program);
   std::vector<ProvedPlace> places;
-  for (const auto& coordinates : points.simple) {
-    Place place = place_of(setting.prepared.reduction, coordinates);
+  for (const RingPoint& point : points) {
+    if (point.exponent > 1) continue;
+    Place place = place_of(setting.prepared.reduction, point.x);
     Certificate certificate;
-    for (int bits = kFirstProofBits; !certificate.holds_root() && bits <= kBitsOfPlace; bits *= 2) {
+    for (int bits = kFirstProofBits; !certificate.holds_root() && bits <= kMostArbBits; bits *= 2) {
       certificate = certifier.certify_near(place.x, place.finer, bits);
     }
     if (!certificate.holds_root()) continue;
     places.push_back({std::move(place), std::make_shared<const Certificate>(certificate), 1});
   }
   return places;
+}
+
+/// None where not all of them are known, or two are one point of double.
+std::vector<ExactRoot> multiple_roots(const Run& run, const std::vector<RingPoint>& points) {
+  std::uint64_t sum = 0;
+  std::vector<ExactRoot> roots;
+  for (const RingPoint& point : points) {
+    sum += point.exponent;
+    if (point.exponent == 1) continue;
+    Place place = place_of(run.setting.prepared.reduction, point.x);
+    const bool is_taken = std::any_of(roots.begin(), roots.end(),
+                                      [&](const ExactRoot& root) { return root.x == place.x; });
+    if (is_taken) return {};
+    roots.push_back({std::move(place.x), true, point.exponent});
+  }
+  return sum == run.bounds.ring.dimension ? roots : std::vector<ExactRoot>{};
 }
 
 /// Of the point that was last seen of the path; 1 where nothing was.
@@ -56,6 +74,15 @@ double distance_from_end(const Run& run, std::uint64_t path, const Point& x) {
   const auto last = run.ledger.last_points().find(path);
   const bool is_seen = last != run.ledger.last_points().end() && last->second.size() == x.size();
   return is_seen ? projective_distance(x, last->second) : 1;
+}
+
+/// Paths that are open, and those whose ends are told without a proof.
+PathSet paths_without_proof(const Run& run) {
+  PathSet paths = open_to_more_digits(run);
+  for (const auto& [path, root] : run.ledger.roots()) {
+    if (!root.point.simple && !root.is_exact) paths.insert(path);
+  }
+  return paths;
 }
 
 void enter_nearest(Run& run, const std::vector<ProvedPlace>& places, PathSet paths) {
@@ -80,8 +107,8 @@ void give_missing_roots(Run& run) {
                             ring.dimension <= kMostRingPoints && is_root_missing(run);
   const bool may_have_digits = !run.setting.trackers.finer.empty();
   if (!can_be_found || !may_have_digits || run.setting.options.every_path) return;
-  const PathSet open = open_to_more_digits(run);
-  const std::uint64_t terms = terms_instead_of(open.size());
+  const PathSet paths = paths_without_proof(run);
+  const std::uint64_t terms = terms_instead_of(paths.size());
   if (terms == 0 || !run.bounds.for_roots.allows(terms)) return;
   const auto points =
       ring_points(run.setting.prepared.reduction.system, {.most_terms = terms,
@@ -90,7 +117,8 @@ void give_missing_roots(Run& run) {
                                                           .bits = kBitsOfPlace});
   run.require_time();
   if (!points) return;
-  enter_nearest(run, free_places(run, proved(run.setting, *points)), open);
+  enter_nearest(run, free_places(run, simple_places(run.setting, *points)), paths);
+  run.ring_roots = multiple_roots(run, *points);
 }
 
 }  // namespace moivre

@@ -12,31 +12,31 @@
 namespace moivre {
 namespace {
 
-Coefficient exact_sum(const std::vector<Complex>& parts) {
-  Coefficient sum;
-  for (const Complex& part : parts) {
-    sum = sum + Coefficient{Rational(part.real()), Rational(part.imag())};
-  }
-  return sum;
-}
+Coefficient exact(Complex z) { return {Rational(z.real()), Rational(z.imag())}; }
 
 /// A number as a sum of doubles, largest first.
 std::vector<Complex> parts_of(Coefficient z, std::size_t count) {
   std::vector<Complex> parts;
   while (parts.size() < count) {
     parts.push_back(to_complex(z));
-    z = z - Coefficient{Rational(parts.back().real()), Rational(parts.back().imag())};
+    z = z - exact(parts.back());
   }
   return parts;
 }
 
 }  // namespace
 
+Coefficient exact_sum(Complex first, std::span<const Complex> others) {
+  Coefficient sum = exact(first);
+  for (const Complex& part : others) sum = sum + exact(part);
+  return sum;
+}
+
 Place place_of(const Reduction& reduction, const std::vector<std::vector<Complex>>& coordinates) {
   std::vector<Coefficient> y;
   std::size_t count = 1;
   for (const auto& parts : coordinates) {
-    y.push_back(exact_sum(parts));
+    y.push_back(exact_sum(parts.front(), std::span(parts).subspan(1)));
     count = std::max(count, parts.size());
   }
   const auto x = restore(reduction, y, [](const Coefficient& c) { return c; });

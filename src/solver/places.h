@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "moivre/certify/certificate.h"
@@ -16,6 +17,9 @@ struct Place {
   Point x;
   std::vector<Point> finer;  ///< what is to be added to it, largest first
 };
+
+/// Without rounding.
+Coefficient exact_sum(Complex first, std::span<const Complex> others);
 
 /// By coordinate of the system that is tracked; each is the sum of its parts, largest first.
 Place place_of(const Reduction& reduction, const std::vector<std::vector<Complex>>& coordinates);

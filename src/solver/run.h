@@ -71,6 +71,7 @@ struct Run {
       sheets;  ///< of the points over one t to which paths have gone back from ends that circles have told
   Bounds bounds;
   ExactCandidates looked_at;                  ///< each candidate for an exact root once
+  std::vector<ExactRoot> ring_roots;          ///< all multiple roots, where the ring tells them
   std::set<std::vector<double>> looked_near;  ///< points whose candidates were looked at
   PathSet
       counted_ends;  ///< the first path of each multiple root whose multiplicity exact algebra tells (multiplicities.h)

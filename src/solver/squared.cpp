@@ -3,11 +3,13 @@
 #include "squared.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "account.h"
 #include "drop_solutions.h"
 #include "exact_roots.h"
 #include "facts.h"
+#include "moivre/certify/certifier.h"
 #include "moivre/expression/counted.h"
 #include "moivre/polynomial/digits.h"
 #include "moivre/polynomial/exclusion.h"
@@ -15,6 +17,7 @@
 #include "moivre/polynomial/patches.h"
 #include "moivre/polynomial/quotient_ring.h"
 #include "moivre/polynomial/square_up.h"
+#include "places.h"
 #include "refine.h"
 
 namespace moivre {
@@ -25,14 +28,41 @@ namespace {
 constexpr double kHolds = 1e-11;
 // A second at most, some ten nanoseconds each.
 constexpr std::uint64_t kTermsOfProof = 5 * kAffordableTerms;
+// Of a root at which an equation may yet be off by less than double sees: some hundred digits.
+constexpr int kBitsOfRefutation = 512;
 // What the root's error makes of it, at most so many times the error.
 constexpr double kMargin = 1e3;
 
-/// Of exact numbers: proved to be no root, as well as the root of the combinations is known.
-bool is_refuted(const System& f, const Solution& root) {
-  const double radius = root.accuracy * std::max(1.0, max_norm(root.x));
-  return !root.singular && has_no_root_within(f, root.x, radius);
-}
+/// Of exact numbers: proves that a root of the combinations is none of F, first as well as it is
+/// known, then in more digits.
+class Refuter {
+ public:
+  Refuter(const System& f, const System& combinations)
+      : f_(f), certifier_(make_certify_program(combinations), {.most_bits = kBitsOfRefutation}) {}
+
+  bool refutes(const Solution& root) {
+    if (root.singular) return false;
+    const double radius = root.accuracy * std::max(1.0, max_norm(root.x));
+    return has_no_root_within(f_, root.x, radius) || refutes_in_more_digits(root);
+  }
+
+ private:
+  bool refutes_in_more_digits(const Solution& root) {
+    Certificate proof = certifier_.certify(root.x);
+    if (!proof.holds_root() || !certifier_.sharpen(proof, kBitsOfRefutation)) return false;
+    std::vector<Coefficient> midpoint;
+    double error = 0;
+    for (std::size_t j = 0; j < proof.midpoint.size(); ++j) {
+      const Enclosure place = enclosure(proof, j);
+      midpoint.push_back(exact_sum(place.middle, place.finer));
+      error = std::max(error, place.error);
+    }
+    return has_no_root_within(f_, midpoint, error);
+  }
+
+  const System& f_;
+  Certifier certifier_;
+};
 
 bool holds(Refiner& refiner, const Solution& root) {
   const std::vector<Complex>& values = refiner.relative_values(root.x);
@@ -41,12 +71,14 @@ bool holds(Refiner& refiner, const Solution& root) {
                      [&](const Complex& value) { return std::abs(value) <= allowed; });
 }
 
-void drop_excess(const System& f, SolveResult& result) {
+void drop_excess(const System& f, const System& combinations, SolveResult& result) {
   const auto program = make_refiner_program(f, std::vector<double>(f.variables.size(), 1.0));
   const bool is_exact = program->error.empty();
   Refiner refiner(program);
+  std::optional<Refuter> refuter;
+  if (is_exact && !f.variables.empty()) refuter.emplace(f, combinations);
   const auto is_excess = [&](const Solution& root) {
-    return !holds(refiner, root) || (is_exact && is_refuted(f, root));
+    return !holds(refiner, root) || (refuter && refuter->refutes(root));
   };
   result.excess += drop_solutions_where(result, is_excess);
 }
@@ -184,14 +216,15 @@ void take_back(const System& f, const SolveOptions& options, SolveResult& result
   const std::size_t n = g.variables.size();
   result.system = facts_of(f);
   if (m > n) {
-    drop_excess(g, result);
+    const System combinations = squared(f, options);
+    drop_excess(g, combinations, result);
     result.left_out.push_back({counted(m, "equation") + " squared up to " + std::to_string(n),
                                dropped_text(result.excess)});
     tell_of_eliminated(g, result);
     const bool is_exact = coefficient_errors(g).empty();
     const QuotientRing ring = is_exact ? ring_of(g, result.seed) : QuotientRing{};
     compare_with_algebra(ring, result);
-    if (is_exact) require_proofs(g, squared(f, options), ring, result);
+    if (is_exact) require_proofs(g, combinations, ring, result);
     tell_of_multiplicities(ring, result);
   }
   tell_of_squared(m > n, options.certify, result);

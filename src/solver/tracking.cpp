@@ -26,7 +26,7 @@ constexpr std::uint64_t kPathsTogether = 4096;
 
 /// Verdicts go to `sink`, but for those that the run's end cut short; what is finite is refined.
 void follow(Run& run, const PathProblem& problem, const PathList& paths, int care,
-            const EndSink& sink) {
+            const EndSink& sink, Unproved unproved = Unproved::fails) {
   const Setting& setting = run.setting;
   std::uint64_t ended = 0;
   const EndSink sink_unless_cancelled = [&](std::uint64_t path, PathEnd&& end) {
@@ -43,7 +43,7 @@ void follow(Run& run, const PathProblem& problem, const PathList& paths, int car
     has_memory = observe_paths(problem, block, care, setting.threads, sink_unless_cancelled,
                                setting.stop, setting.options.observations);
     // Ends that wait to be refined take much more memory than roots.
-    judge_ends(run);
+    judge_ends(run, unproved);
   }
   // What was refined after a stop is not proved.
   if (ended < paths.count || setting.stop) run.interrupted = true;
@@ -51,10 +51,11 @@ void follow(Run& run, const PathProblem& problem, const PathList& paths, int car
 }
 
 void follow(Run& run, const PathProblem& problem, const PathSet& paths, int care,
-            const EndSink& sink, const EndgameStarts* endgame_starts = nullptr) {
+            const EndSink& sink, Unproved unproved = Unproved::fails,
+            const EndgameStarts* endgame_starts = nullptr) {
   const std::vector<std::uint64_t> list(paths.begin(), paths.end());
   follow(run, problem, {list.size(), [&](std::uint64_t k) { return list[k]; }, endgame_starts},
-         care, sink);
+         care, sink, unproved);
 }
 
 /// Takes every end as its verdict comes in.
@@ -75,15 +76,18 @@ PathSet climb_with(Run& run, const Tracker& tracker, PathPrecision precision, Ta
   endgame.goes_straight = true;
   endgame.only_regular = taken == Taken::regular_ends;
   const PathProblem problem{*setting.prepared.plan, tracker, endgame};
-  follow(run, problem, paths, 0, [&](std::uint64_t path, PathEnd&& end) {
-    if (end.status == PathStatus::failed) {
-      count_following(run, path, end);
-      undecided.insert(path);
-      return;
-    }
-    take_end(run, path, std::move(end));
-    run.ledger.set_precision(path, precision);
-  });
+  follow(
+      run, problem, paths, 0,
+      [&](std::uint64_t path, PathEnd&& end) {
+        if (end.status == PathStatus::failed) {
+          count_following(run, path, end);
+          undecided.insert(path);
+          return;
+        }
+        take_end(run, path, std::move(end));
+        run.ledger.set_precision(path, precision);
+      },
+      taken == Taken::regular_ends ? Unproved::agrees : Unproved::fails);
   return undecided;
 }
 
@@ -95,7 +99,8 @@ void track_all(Run& run) {
   const PathProblem problem{*setting.prepared.plan, setting.tracker(),
                             endgame_for(setting, run.effort)};
   const PathList all{setting.prepared.plan->paths, [](std::uint64_t k) { return k; }};
-  follow(run, problem, all, setting.options.care, taking_ends(run));
+  const Unproved unproved = run.effort == Effort::regular_ends ? Unproved::waits : Unproved::fails;
+  follow(run, problem, all, setting.options.care, taking_ends(run), unproved);
   run.effort = Effort::all_steps;
 }
 
@@ -111,7 +116,7 @@ void track_waiting(Run& run, Effort effort) {
     (endgame_start.x.empty() ? begin_again : stand_at_endgame_starts).insert(path);
   }
   const int care = setting.options.care;
-  follow(run, problem, stand_at_endgame_starts, care, taking_ends(run), &waiting);
+  follow(run, problem, stand_at_endgame_starts, care, taking_ends(run), Unproved::fails, &waiting);
   follow(run, problem, begin_again, care, taking_ends(run));
   run.effort = Effort::all_steps;
 }

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 
 #include "moivre/polynomial/read.h"
 
@@ -14,17 +16,18 @@ namespace {
 
 constexpr std::uint64_t kTerms = 100'000'000;
 
-std::optional<RingPoints> points_of(const std::string& system, RingPointsOptions options = {}) {
+std::optional<std::vector<RingPoint>> points_of(const std::string& system,
+                                                RingPointsOptions options = {}) {
   if (options.most_terms == 0) options.most_terms = kTerms;
   return ring_points(read_system({"test", system}), options);
 }
 
 /// The leading parts, by the first coordinate's real part.
-std::vector<Point> leading_parts(const RingPoints& points) {
+std::vector<Point> leading_parts(const std::vector<RingPoint>& points) {
   std::vector<Point> result;
-  for (const auto& coordinates : points.simple) {
+  for (const RingPoint& point : points) {
     Point& x = result.emplace_back();
-    for (const auto& parts : coordinates) x.push_back(parts.front());
+    for (const auto& parts : point.x) x.push_back(parts.front());
   }
   std::sort(result.begin(), result.end(),
             [](const Point& a, const Point& b) { return a[0].real() < b[0].real(); });
@@ -36,21 +39,37 @@ void expect_point(const Point& root, Complex x, Complex y) {
   EXPECT_NEAR(std::abs(root[1] - y), 0, 1e-15);
 }
 
-TEST(RingPoints, AreAllSimpleRootsWithAllCoordinates) {
+TEST(RingPoints, AreAllRootsWithAllCoordinates) {
   const auto points = points_of("2\nx^2 + y^2 - 5;\nx*y - 2;\n");
   ASSERT_TRUE(points);
-  EXPECT_EQ(points->multiple, 0U);
+  for (const RingPoint& point : *points) EXPECT_EQ(point.exponent, 1U);
   const std::vector<Point> roots = leading_parts(*points);
   ASSERT_EQ(roots.size(), 4U);
   const double x[] = {-2, -1, 1, 2};
   for (std::size_t k = 0; k < 4; ++k) expect_point(roots[k], x[k], 2 / x[k]);
 }
 
-TEST(RingPoints, LeaveOutMultipleOnesAndCountThem) {
-  const auto points = points_of("2\n(x - 1)^2*(x - 3)*(x^2 + 1);\ny - x^2;\n");
+TEST(RingPoints, TellHowOftenTheLineHasEach) {
+  const auto points = points_of("2\n(x - 1)^2*(x^2 - 2)^3*(x - 3);\ny - x^2;\n");
   ASSERT_TRUE(points);
-  EXPECT_EQ(points->simple.size(), 3U);
-  EXPECT_EQ(points->multiple, 1U);
+  std::multiset<std::uint64_t> exponents;
+  for (const RingPoint& point : *points) {
+    exponents.insert(point.exponent);
+    const double x = point.x[0].front().real();
+    EXPECT_DOUBLE_EQ(x, point.exponent == 1   ? 3
+                        : point.exponent == 2 ? 1
+                                              : std::copysign(std::sqrt(2), x));
+    EXPECT_DOUBLE_EQ(point.x[1].front().real(), point.exponent == 3 ? 2 : x * x);
+  }
+  EXPECT_EQ(exponents, (std::multiset<std::uint64_t>{1, 2, 3, 3}));
+}
+
+// x^2 = y^2 = 0: four dimensions, and every line has the point twice.
+TEST(RingPoints, MayBeMoreMultipleThanTheLineTells) {
+  const auto points = points_of("2\nx^2;\ny^2;\n");
+  ASSERT_TRUE(points);
+  ASSERT_EQ(points->size(), 1U);
+  EXPECT_LT(points->front().exponent, 4U);
 }
 
 TEST(RingPoints, HoldAnySizeBesideAnyOther) {
@@ -66,22 +85,22 @@ TEST(RingPoints, HoldAnySizeBesideAnyOther) {
 TEST(RingPoints, AreToldToMoreDigitsThanDoubleHas) {
   const auto points = points_of("1\nx^2 - 140*x + 4900 - 7e-46;\n");
   ASSERT_TRUE(points);
-  ASSERT_EQ(points->simple.size(), 2U);
-  for (const auto& coordinates : points->simple) {
-    ASSERT_GE(coordinates[0].size(), 2U);
-    EXPECT_EQ(coordinates[0][0], 70.0);
-    EXPECT_NEAR(std::abs(coordinates[0][1]), 2.6457513110645906e-23, 1e-36);
+  ASSERT_EQ(points->size(), 2U);
+  for (const RingPoint& point : *points) {
+    ASSERT_GE(point.x[0].size(), 2U);
+    EXPECT_EQ(point.x[0][0], 70.0);
+    EXPECT_NEAR(std::abs(point.x[0][1]), 2.6457513110645906e-23, 1e-36);
   }
 }
 
 TEST(RingPoints, AreThoseOfASystemOfComplexCoefficientsNotOfItsConjugate) {
   const auto points = points_of("2\n(x - 2*i)*(x - 3 + i)*(x - 1)^2;\ny - i*x;\n");
   ASSERT_TRUE(points);
-  EXPECT_EQ(points->multiple, 1U);
   const std::vector<Point> roots = leading_parts(*points);
-  ASSERT_EQ(roots.size(), 2U);
+  ASSERT_EQ(roots.size(), 3U);
   expect_point(roots[0], Complex(0, 2), -2);
-  expect_point(roots[1], Complex(3, -1), Complex(1, 3));
+  expect_point(roots[1], 1, Complex(0, 1));
+  expect_point(roots[2], Complex(3, -1), Complex(1, 3));
 }
 
 TEST(RingPoints, AreTheSameWithAnySeed) {
@@ -89,12 +108,12 @@ TEST(RingPoints, AreTheSameWithAnySeed) {
   const auto one = points_of(system, {.seed = 1});
   const auto other = points_of(system, {.seed = 99});
   ASSERT_TRUE(one && other);
-  ASSERT_EQ(one->simple.size(), 8U);
-  for (const auto& x : one->simple) {
-    EXPECT_EQ(std::count_if(other->simple.begin(), other->simple.end(),
-                            [&](const auto& y) {
-                              return std::abs(x[0][0] - y[0][0]) + std::abs(x[1][0] - y[1][0]) +
-                                         std::abs(x[2][0] - y[2][0]) <
+  ASSERT_EQ(one->size(), 8U);
+  for (const auto& [x, exponent] : *one) {
+    EXPECT_EQ(std::count_if(other->begin(), other->end(),
+                            [&x = x](const RingPoint& y) {
+                              return std::abs(x[0][0] - y.x[0][0]) + std::abs(x[1][0] - y.x[1][0]) +
+                                         std::abs(x[2][0] - y.x[2][0]) <
                                      1e-14;
                             }),
               1);

@@ -111,7 +111,7 @@ const Lie kLies[] = {
      ClaimKind::completeness},
     {"a root left out where exact algebra counts it", "cassou",
      [](Json& r) { leave_out(r, first_root(r, true)); }, ClaimKind::complete},
-    {"completeness proved with double roots that are no fractions", "surds",
+    {"completeness proved with multiple roots that no line tells", "crossed-surds",
      [](Json& r) { r["completeness"] = "proved"; }, ClaimKind::completeness},
     {"a multiplicity that the exponents do not allow", "powers",
      [](Json& r) {
@@ -248,7 +248,7 @@ const Lie kLies[] = {
      ClaimKind::complete},
     {"a simple root left out beside a curve", "beside-a-curve", [](Json& r) { leave_out(r, 1); },
      ClaimKind::complete},
-    {"a proof without a bound", "surds",
+    {"a proof without a bound", "crossed-surds",
      [](Json& r) {
        r["completeness"] = "proved";
        r["bound"] = nullptr;
@@ -344,18 +344,20 @@ TEST(Check, RepeatsWhatItCannotVerify) {
     return std::any_of(judgement.open.begin(), judgement.open.end(),
                        [claim](const Finding& f) { return f.claim == claim; });
   };
-  Json result = honest("surds");
+  Json result = honest("crossed-surds");
   result["completeness"] = "shown";
-  EXPECT_TRUE(is_open(judged("surds", result), ClaimKind::completeness));
+  EXPECT_TRUE(is_open(judged("crossed-surds", result), ClaimKind::completeness));
   result["completeness"] = "open";
-  EXPECT_FALSE(is_open(judged("surds", result), ClaimKind::completeness));
+  EXPECT_FALSE(is_open(judged("crossed-surds", result), ClaimKind::completeness));
   const auto open_multiplicities = [](const Judgement& judgement) {
     return std::count_if(judgement.open.begin(), judgement.open.end(),
                          [](const Finding& f) { return f.claim == ClaimKind::multiplicity; });
   };
-  // Roots of x = 1 are counted by exact algebra, those of x = sqrt(2) by nobody.
+  // Roots of x = 1 are counted by their local rings, those of x = sqrt(2) by the quotient ring
+  // where it has them in one direction, else by nobody.
   EXPECT_EQ(open_multiplicities(judged("doubles", honest("doubles"))), 0);
-  EXPECT_EQ(open_multiplicities(judged("surds", honest("surds"))), 4);
+  EXPECT_EQ(open_multiplicities(judged("surds", honest("surds"))), 0);
+  EXPECT_EQ(open_multiplicities(judged("crossed-surds", honest("crossed-surds"))), 4);
 }
 
 // A run that is interrupted on two threads has followed paths of any number.

@@ -7,6 +7,8 @@
 // singular is where the index has one.
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "moivre/certify/certifier.h"
 #include "moivre/multiprecision/reference_roots.h"
 #include "moivre/polynomial/square_up.h"
@@ -211,6 +213,17 @@ TEST(CyclicEight, InterruptedItTellsNoRootThatIsNone) {
     Judge(f).expect_true_roots(result);
     expect_singular_roots_of_the_index({}, result);
   }
+}
+
+// The fourfold roots are isolated and known to nobody exactly: paths to them land there in more
+// digits as on simple roots, which says nothing against them.
+TEST(CyclicNine, HasAllItsRootsAndEveryPathIsDecided) {
+  const SolveResult result = solve(cyclic(9), *make_lane_tracker(), test::with_seed(1, 2));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.paths.finite + result.paths.at_infinity, 11016U);
+  std::map<std::uint64_t, std::size_t> roots;
+  for (const Solution& root : result.solutions) ++roots[root.multiplicity];
+  EXPECT_EQ(roots, (std::map<std::uint64_t, std::size_t>{{1, 5994}, {4, 162}}));
 }
 
 /// The discretized H-equation: 2 n H_i - c H_i (1 + sum_j i/(i+j) H_j) - 2 n, j = 1..n-1

@@ -67,6 +67,27 @@ TEST(Remedies, RootsBesideACurveOnWhichTheEquationsAllButVanishAreNoPointsOfIt) 
   EXPECT_TRUE(result.on_sets.empty());
 }
 
+// Beside a simple root no circle closes around the sixfold one alone.
+TEST(Remedies, MultipleRootsThatNoPathShowsAreToldByTheQuotientRing) {
+  const System f = read(
+      "2\n (u - 2*v - 15/7)^6*(u - 2*v - 15/7 - 6/10^4);\n"
+      " (3*v - u)*((u - 2*v)^2 + 4) - 8*(u - 2*v) + 5;\n");
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    for (const auto& tracker : {make_lane_tracker(), make_cvode_tracker()}) {
+      const SolveResult result = solve(f, *tracker, with_seed(seed));
+      SCOPED_TRACE(tracker->kind() + ", seed " + std::to_string(seed));
+      EXPECT_EQ(result.completeness, RootCompleteness::proved);
+      ASSERT_EQ(result.solutions.size(), 2U);
+      EXPECT_EQ(test::sum_of_multiplicities(result), 7U);
+      for (const Solution& root : result.solutions) {
+        EXPECT_FALSE(root.cluster);
+        const double x = (root.x[0] - 2.0 * root.x[1]).real();
+        EXPECT_NEAR(x, root.multiplicity == 6 ? 15.0 / 7 : 15.0 / 7 + 6e-4, 1e-12);
+      }
+    }
+  }
+}
+
 TEST(Remedies, ClustersThatNoCountConfirmsArePartedInMoreDigits) {
   const SolveResult result = solve(near_pairs(300), *make_lane_tracker(), with_seed(1));
   EXPECT_GE(certified_roots(result), 3U);

@@ -367,11 +367,25 @@ TEST(Solve, TellsItsProgressPathByPath) {
   EXPECT_EQ(last.finite, 21U);
 }
 
+// At y = -20 the third equation is 1e-25.
+TEST(Solve, DropsARootAtWhichASpareEquationIsOffByLessThanDoubleSees) {
+  const System f = read(
+      "3 2\n x - 5/3 + (y - 7/6)*(y + 20);\n (y - 7/6)*(y + 20);\n"
+      " (x - 5/3)*(y + 1) + 8/10^26*(y - 7/6);\n");
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const SolveResult result = solve_with_cvode(f, with_seed(seed));
+    EXPECT_TRUE(result.complete) << result.message;
+    ASSERT_EQ(result.solutions.size(), 1U);
+    EXPECT_NEAR(result.solutions.front().x[1].real(), 7.0 / 6, 1e-12);
+  }
+}
+
 TEST(Solve, FailsForPrecisionWhereCirclesMayNotClose) {
   SolveOptions options = with_seed(1);
   options.endgame.ends.maximum_winding = 1;
   options.maximum_care = 0;
-  // Of a real polynomial in one unknown all roots are isolated, and no circle is needed.
+  // With more digits the quotient ring tells all roots, and no circle is needed.
+  options.precision = Precision::double_precision;
   const SolveResult result = solve_with_cvode(read("1\n (x^2 - 2)^2*(x - i);\n"), options);
   EXPECT_FALSE(result.complete);
   EXPECT_EQ(result.paths.failed, 4U);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Where are the simple roots of a system, all of them, without a path? From its quotient ring over
-// the rationals.
+// Where are the roots of a system, all of them, without a path? From its quotient ring over the
+// rationals.
 //
 //   m, N_0 .. N_n   of polynomial/ring_image.h, from as many primes as their coefficients need, and
 //                   one more that they have to agree with
-//   z               the simple roots of m, isolated
+//   z               the roots of m, isolated on its squarefree factors; e_z how often m has z
 //   x_j = N_j(z) / N_0(z)
 //
+// The multiplicity of a root is e_z at least. So where the sum of all e_z is the dimension of the
+// ring, they are the multiplicities.
 // Where a coefficient is not real, i is one more unknown with i^2 + 1 = 0; those roots are taken
 // in which it is i.
 // For systems with few roots whose paths are hard: many that go to infinity together, roots of size
@@ -32,10 +34,10 @@ namespace moivre {
 /// Roots, with their multiplicities.
 inline constexpr std::uint64_t kMostRingPoints = 128;
 
-struct RingPoints {
+struct RingPoint {
   /// By coordinate; each is the sum of its parts, largest first.
-  std::vector<std::vector<std::vector<Complex>>> simple;
-  std::uint64_t multiple = 0;  ///< points that are others
+  std::vector<std::vector<Complex>> x;
+  std::uint64_t exponent = 1;  ///< e_z
 };
 
 struct RingPointsOptions {
@@ -46,6 +48,7 @@ struct RingPointsOptions {
 };
 
 /// nullopt where it is given up.
-std::optional<RingPoints> ring_points(const System& f, const RingPointsOptions& options);
+std::optional<std::vector<RingPoint>> ring_points(const System& f,
+                                                  const RingPointsOptions& options);
 
 }  // namespace moivre

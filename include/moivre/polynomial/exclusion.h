@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "moivre/numeric/complex.h"
 #include "moivre/polynomial/system.h"
@@ -22,6 +23,9 @@ namespace moivre {
 /// equations.
 /// multiplicity: of the root that is claimed; it changes the work, never what is proved.
 bool has_no_root_within(const System& f, const Point& x, double radius,
+                        std::uint64_t multiplicity = 1);
+/// The same of a point that double does not hold.
+bool has_no_root_within(const System& f, const std::vector<Coefficient>& x, double radius,
                         std::uint64_t multiplicity = 1);
 
 }  // namespace moivre
