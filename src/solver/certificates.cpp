@@ -88,6 +88,12 @@ std::shared_ptr<const Certificate> Prover::prove_in_double(const Point& x) {
   return is_settled ? certificate : nullptr;
 }
 
+std::shared_ptr<const Certificate> Prover::prove_slowly(const Point& x, int bits) {
+  auto certificate = std::make_shared<Certificate>(certifier_.certify_near(x, {}, bits));
+  if (certificate->verdict != Verdict::certified) return nullptr;
+  return certificate;
+}
+
 std::shared_ptr<const Certificate> Prover::sharpened(const Certificate& proof, int bits) {
   auto finer = std::make_shared<Certificate>(proof);
   return certifier_.sharpen(*finer, bits) ? finer : nullptr;

@@ -8,7 +8,6 @@
 
 #include "certificates.h"
 #include "completeness.h"
-#include "exact_roots.h"
 #include "judge.h"
 #include "settle.h"
 #include "tracking.h"
@@ -163,19 +162,6 @@ void climb_from_contradiction(Run& run) {
   }
   if (!lacks_ends(run)) return;
   climb_while_it_helps(run, *finer.front(), paths_at_infinity(run), [] { return false; });
-}
-
-void climb_from_uncounted_roots(Run& run) {
-  const auto& finer = run.setting.trackers.finer;
-  if (finer.empty()) return;
-  auto clusters = clusters_in(run, judge(run).roots);
-  if (clusters.empty()) return;
-  const std::vector<ExactRoot> exact = exact_roots(run);
-  std::erase_if(clusters, [&](const auto& cluster) {
-    return is_counted_by(exact, run.ledger.roots().at(cluster.first), cluster.second.size());
-  });
-  climb_while_it_helps(run, *finer.front(), first_of(clusters), [] { return false; });
-  climb_beyond_double_double(run, *finer.front(), others_of(run, clusters));
 }
 
 }  // namespace moivre

@@ -35,10 +35,6 @@ void climb_in_more_digits(Run& run);
 /// infinity may have jumped on its way, and a root of size 1e34 is there as far as double tells.
 void climb_from_contradiction(Run& run);
 
-/// Simple roots as near to each other as 1e-45 pass for a multiple one in double-double. Where one
-/// path of a cluster comes to a simple root, so do the others.
-void climb_from_uncounted_roots(Run& run);
-
 /// Some paths go ahead by `tracker`, then twice as many, as long as one of the last ones has found
 /// a simple root or `goes_on`, and the run is not settled. A path that ends at no simple root costs
 /// as much as thousands in double.

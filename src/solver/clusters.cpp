@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "certificates.h"
 #include "completeness.h"
@@ -15,11 +16,13 @@
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/local_multiplicity.h"
 #include "moivre/polynomial/numerical_multiplicity.h"
+#include "settle.h"
 
 namespace moivre {
 namespace {
 
 using Proofs = std::vector<std::shared_ptr<const Certificate>>;
+using Groups = std::vector<std::vector<std::uint64_t>>;
 
 // Of a true multiple root each bit takes a step or more, and each step what a certificate does: no
 // more bits than one step of precisions beyond double. The certifier takes more where it sees a
@@ -29,6 +32,10 @@ constexpr int kBits = 128;
 constexpr double kWay = 4;
 // Starts around a cluster that is shown to be none, beside two a root.
 constexpr std::size_t kMostStarts = 32;
+
+// In vain they take so much longer that so many clusters go first.
+constexpr int kMoreBits[] = {512, kMostArbBits};
+constexpr std::size_t kFirstClusters = 2;
 
 /// x + r turn d, r the cluster's radius.
 Point beside(const Root& end, const Point& d, Complex turn) {
@@ -50,7 +57,7 @@ Point softest_direction(const Setting& setting, const Root& end) {
 /// Different roots proved beside the end that no other path holds; no more are looked for than
 /// there are paths. How well it is known does not matter: a root that no path holds is one that
 /// these have missed.
-Proofs roots_beside(const Run& run, const Root& end, std::size_t paths) {
+Proofs roots_beside(const Run& run, const Root& end, std::size_t paths, int bits) {
   const Setting& setting = run.setting;
   const Point d = softest_direction(setting, end);
   Prover prover(setting.certify_program, kWay * end.tolerance, kBits);
@@ -58,7 +65,8 @@ Proofs roots_beside(const Run& run, const Root& end, std::size_t paths) {
   Proofs found;
   for (std::size_t k = 0; k < starts && found.size() < paths && !setting.stop; ++k) {
     const double turn = static_cast<double>(k) / static_cast<double>(starts);
-    auto proof = prover.prove(beside(end, d, std::polar(1.0, 2 * std::numbers::pi * turn)));
+    const Point x = beside(end, d, std::polar(1.0, 2 * std::numbers::pi * turn));
+    auto proof = bits > kBits ? prover.prove_slowly(x, bits) : prover.prove(x);
     if (!proof || is_held(run, *proof)) continue;
     found.push_back(std::move(proof));
     if (proved_roots(setting, found) < found.size()) found.pop_back();
@@ -99,7 +107,7 @@ Finding look_into(const Run& run, const Root& end, std::size_t paths) {
   Finding finding;
   const bool is_refuted = ring && (ring->is_isolated || ring->dimension > paths);
   finding.is_on_curve = is_refuted && ring->grows_steadily;
-  if (!finding.is_on_curve) finding.roots = roots_beside(run, end, paths);
+  if (!finding.is_on_curve) finding.roots = roots_beside(run, end, paths, kBits);
   finding.is_refuted =
       is_refuted || !finding.roots.empty() || (!ring && !is_shown(run.setting.f, end, paths));
   return finding;
@@ -107,8 +115,8 @@ Finding look_into(const Run& run, const Root& end, std::size_t paths) {
 
 /// Groups of ends at which no simple root was found, that are isolated, and that exact algebra has
 /// not counted.
-std::vector<std::vector<std::uint64_t>> clusters_of(const Run& run) {
-  std::vector<std::vector<std::uint64_t>> clusters;
+Groups clusters_of(const Run& run) {
+  Groups clusters;
   for (auto& group : judge(run).roots) {
     const bool is_cluster = std::none_of(group.begin(), group.end(), [&](std::uint64_t path) {
       const Root& root = run.ledger.roots().at(path);
@@ -120,37 +128,99 @@ std::vector<std::vector<std::uint64_t>> clusters_of(const Run& run) {
   return clusters;
 }
 
+/// One for each cluster, on all threads.
+template <class Find>
+std::vector<Finding> findings_of(Run& run, std::span<const std::vector<std::uint64_t>> clusters,
+                                 Find find) {
+  std::vector<Finding> findings(clusters.size());
+  for_each_parallel(clusters.size(), run.setting.threads, [&](std::size_t k) {
+    findings[k] = find(run.ledger.roots().at(clusters[k].front()), clusters[k].size());
+  });
+  if (run.setting.stop) run.interrupted = true;
+  return findings;
+}
+
+/// False where it stays what it was.
+bool conclude(Run& run, Refiner& refiner, const std::vector<std::uint64_t>& cluster,
+              const Finding& finding) {
+  if (!finding.is_refuted) return false;
+  const Proofs& proofs = finding.roots;
+  // What two clusters came to, one of them has missed.
+  const bool are_new = std::none_of(proofs.begin(), proofs.end(),
+                                    [&](const auto& proof) { return is_held(run, *proof); });
+  const bool are_all = are_new && proofs.size() == cluster.size();
+  for (std::size_t i = 0; i < cluster.size(); ++i) {
+    if (finding.is_on_curve) {
+      run.ledger.tell_curve(cluster[i]);
+    } else if (are_all) {
+      run.ledger.enter_root(cluster[i], proved_root(refiner, proofs[i]));
+    } else {
+      run.ledger.refute(cluster[i]);
+    }
+  }
+  return true;
+}
+
+/// The paths of each isolated place where several end and some show no simple root: those, unless
+/// exact algebra counts as many. And those that come to a simple root after another one: in double
+/// they may have another one beside it.
+Groups uncounted_clusters(Run& run) {
+  Groups clusters;
+  for (const auto& [path, question] : judge(run).open) {
+    if (question == Question::jumped && run.ledger.roots().at(path).certificate) {
+      clusters.push_back({path});
+    }
+  }
+  for (const auto& group : groups_of(run)) {
+    EndsOfGroup ends = ends_of(run, group);
+    if (group.size() == 1 || ends.singular.empty()) continue;
+    const Root& end = run.ledger.roots().at(ends.singular.front());
+    if (!end.is_exact && !is_on_set(run, end)) clusters.push_back(std::move(ends.singular));
+  }
+  if (clusters.empty()) return clusters;
+  const std::vector<ExactRoot> exact = exact_roots(run);
+  std::erase_if(clusters, [&](const auto& cluster) {
+    return is_counted_by(exact, run.ledger.roots().at(cluster.front()), cluster.size());
+  });
+  return clusters;
+}
+
 }  // namespace
 
 void part_clusters(Run& run) {
-  const Setting& setting = run.setting;
-  const auto clusters = clusters_of(run);
+  const Groups clusters = clusters_of(run);
   if (clusters.empty() || are_as_counted(run)) return;
-  std::vector<Finding> findings(clusters.size());
-  for_each_parallel(clusters.size(), setting.threads, [&](std::size_t k) {
-    const Root& end = run.ledger.roots().at(clusters[k].front());
-    findings[k] = look_into(run, end, clusters[k].size());
+  const auto findings = findings_of(run, clusters, [&](const Root& end, std::size_t paths) {
+    return look_into(run, end, paths);
   });
-  if (setting.stop) run.interrupted = true;
   if (run.interrupted) return;
-  Refiner refiner(setting.refiner_program);
+  Refiner refiner(run.setting.refiner_program);
   for (std::size_t k = 0; k < clusters.size(); ++k) {
-    if (!findings[k].is_refuted) continue;
-    const Proofs& proofs = findings[k].roots;
-    // What two clusters came to, one of them has missed.
-    const bool are_new = std::none_of(proofs.begin(), proofs.end(),
-                                      [&](const auto& proof) { return is_held(run, *proof); });
-    const bool are_all = are_new && proofs.size() == clusters[k].size();
-    for (std::size_t i = 0; i < clusters[k].size(); ++i) {
-      const std::uint64_t path = clusters[k][i];
-      if (findings[k].is_on_curve) {
-        run.ledger.tell_curve(path);
-      } else if (are_all) {
-        run.ledger.enter_root(path, proved_root(refiner, proofs[i]));
-      } else {
-        run.ledger.refute(path);
+    conclude(run, refiner, clusters[k], findings[k]);
+  }
+}
+
+void part_clusters_in_more_bits(Run& run) {
+  Refiner refiner(run.setting.refiner_program);
+  for (const int bits : kMoreBits) {
+    const Groups clusters = uncounted_clusters(run);
+    std::size_t together = kFirstClusters;
+    for (std::size_t first = 0; first < clusters.size(); first += together, together *= 2) {
+      const auto ahead =
+          std::span(clusters).subspan(first, std::min(together, clusters.size() - first));
+      const auto findings = findings_of(run, ahead, [&](const Root& end, std::size_t paths) {
+        Finding finding{roots_beside(run, end, paths, bits)};
+        finding.is_refuted = finding.roots.size() == paths;
+        return finding;
+      });
+      if (run.interrupted) return;
+      bool has_helped = false;
+      for (std::size_t k = 0; k < ahead.size(); ++k) {
+        has_helped = conclude(run, refiner, ahead[k], findings[k]) || has_helped;
       }
+      if (!has_helped) break;
     }
+    if (is_settled(run)) return;
   }
 }
 

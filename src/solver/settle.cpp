@@ -15,19 +15,19 @@ namespace {
 
 /// In this order. Each leaves alone what it cannot answer; what it costs is for it to limit.
 constexpr void (*kRemedies[])(Run&){
-    isolate_roots,             // any, where one unknown is left: all roots by proof
-    part_in_double_double,     // several paths at a singular end: simple roots near to each other?
-    climb_failed_paths,        // no end, by precision: many paths at once in double-double
-    follow_with_care,          // any: smaller steps, by the other tracker
-    climb_in_double_double,    // any, and what comes into doubt by that
-    give_missing_roots,        // fewer roots than exact algebra counts: the ring has the others
-    climb_in_more_digits,      // any: 100 and 300 digits, as long as they help
-    isolate_roots,             // as many simple roots may be proved now as there are
-    look_beside_sets,          // sheets that meet on a set: a root beside it?
+    isolate_roots,           // any, where one unknown is left: all roots by proof
+    part_in_double_double,   // several paths at a singular end: simple roots near to each other?
+    climb_failed_paths,      // no end, by precision: many paths at once in double-double
+    follow_with_care,        // any: smaller steps, by the other tracker
+    climb_in_double_double,  // any, and what comes into doubt by that
+    give_missing_roots,      // fewer roots than exact algebra counts: the ring has the others
+    climb_in_more_digits,    // any: 100 and 300 digits, as long as they help
+    part_clusters_in_more_bits,  // several paths at one place that no count confirms: simple roots?
+    isolate_roots,               // as many simple roots may be proved now as there are
+    look_beside_sets,            // sheets that meet on a set: a root beside it?
     look_at_blurred_sets,      // ends on a set on which F vanishes but for rounding: is there one?
     part_clusters,             // a multiple root, or several? By proofs and local rings
     climb_from_contradiction,  // the ends are not as many as exact algebra counts
-    climb_from_uncounted_roots,  // a multiple root that no count confirms
 };
 
 /// The certified roots, and the multiple ones to which whole cycles lead, are as many as exact

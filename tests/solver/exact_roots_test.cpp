@@ -55,8 +55,8 @@ TEST(ExactRoots, AreNotMadeOfPointsThatAreNearRoots) {
   SolveOptions options = with_seed(1);
   options.precision = Precision::double_precision;
   const SolveResult result = solve_with_cvode(read("1\n (x - 1)^10 - 1e-60*i;\n"), options);
-  EXPECT_NE(result.completeness, RootCompleteness::proved);
-  for (const Solution& root : result.solutions) EXPECT_GT(root.accuracy, 1e-6);
+  for (const Solution& root : result.solutions) EXPECT_EQ(root.certified, true);
+  for (const Solution& root : result.solutions) EXPECT_NEAR(std::abs(root.x[0] - 1.0), 1e-6, 1e-12);
 }
 
 }  // namespace

@@ -27,7 +27,8 @@ std::vector<std::uint64_t> multiplicities(const SolveResult& result) {
   return list;
 }
 
-// Two roots some 3^-61 apart near 1/3; and, of a degree that is too large, 3^-129.
+// Two roots some 3^-61 apart near 1/3; and, of a degree at which roots are not isolated at once,
+// 3^-129 and, nearer than double has numbers, 999^-129.
 TEST(NearRoots, OfOneUnknownAreAllProvedOrACluster) {
   const SolveResult all = solved("1\nx^120 - (3*x - 1)^2;\n");
   EXPECT_TRUE(all.complete) << all.message;
@@ -35,8 +36,10 @@ TEST(NearRoots, OfOneUnknownAreAllProvedOrACluster) {
   EXPECT_EQ(all.completeness, RootCompleteness::proved);
   const SolveResult large = solved("1\nx^256 - (3*x - 1)^2;\n");
   EXPECT_TRUE(large.complete) << large.message;
-  EXPECT_EQ(large.solutions.size(), 255U);
-  EXPECT_EQ(std::count_if(large.solutions.begin(), large.solutions.end(),
+  EXPECT_EQ(large.solutions.size(), 256U);
+  const SolveResult nearer = solved("1\nx^256 - (999*x - 1)^2;\n");
+  EXPECT_EQ(nearer.solutions.size(), 255U);
+  EXPECT_EQ(std::count_if(nearer.solutions.begin(), nearer.solutions.end(),
                           [](const Solution& root) { return root.cluster; }),
             1);
 }
