@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <iterator>
 #include <map>
+#include <utility>
 #include <vector>
 
 #include "arb_ball.h"
@@ -20,8 +21,8 @@ namespace {
 
 // The evaluations have so many bits more than the points.
 constexpr slong kGuardBits = 32;
-// Newton's method gains a bit an iteration at a double root and near a cluster, until it converges
-// quadratically or rounding ends it.
+// Newton's method may gain but a bit an iteration near a cluster, until it converges quadratically
+// or rounding ends it.
 constexpr slong kIterationsPerBit = 1;
 // A correction of fewer than 0.6 bits of the precision leaves, squared, an error below the
 // rounding.
@@ -35,6 +36,14 @@ constexpr int kMostOutside = 4;
 // Towards a root of multiplicity m corrections fall to a share of 1 - 1/m, at least a half;
 // quadratically, to less and less.
 constexpr double kQuadraticShare = 0.1;
+// Where they fall to one share twice, to within this, the sum of all that follow is known. So many
+// times the difference of the two are left of it, and more than rounding makes of their ratio: of
+// two roots near each other that on one's own side stays the nearer one.
+constexpr double kSteadyShare = 0.02;
+constexpr double kTimesLeft = 8;
+constexpr double kLeastLeft = 0x1p-40;
+constexpr double kLeastSteadyShare = 0.4;
+constexpr double kMostSteadyShare = 0.97;
 
 /// Radii to begin with, b bits: 2^(error_bits b) times the error, 2^(point_bits b) of the
 /// coordinates, each taken for no smaller than a share of the largest. The order is that of double.
@@ -141,6 +150,7 @@ class ArbStage::Work {
   std::vector<double> apply(const std::vector<double>& reach);
   void evaluate_at(std::span<const ArbBall> unknowns);
   bool find_step();
+  void go_on(double times);
   const std::vector<ArbBall>& coefficients();
 
   const CertifyProgram& program_;
@@ -247,14 +257,32 @@ bool ArbStage::Work::find_step() {
   return acb_mat_approx_solve(step_.get(), j_.get(), f_.get(), bits_ + kGuardBits) != 0;
 }
 
+/// The last step once more, so many times.
+void ArbStage::Work::go_on(double times) {
+  arb_t factor;
+  arb_init(factor);
+  arb_set_d(factor, times);
+  for (std::size_t j = 0; j < n_; ++j) {
+    acb_mul_arb(step_.entry(j, 0), step_.entry(j, 0), factor, bits_ + kGuardBits);
+    acb_sub(m_[j].get(), m_[j].get(), step_.entry(j, 0), bits_ + kGuardBits);
+    acb_get_mid(m_[j].get(), m_[j].get());
+  }
+  arb_clear(factor);
+}
+
 /// Newton's method until its correction is small enough, or no better; the test is left to say what
-/// the point is worth. Never `proved`.
+/// the point is worth. Never `proved`. Where corrections fall by one ratio r it goes on at once by
+/// nearly what they add up to, r / (1 - r) of the last [DeckerKelley82]; back, where that gains
+/// nothing: simple roots near each other are apart there.
 ArbOutcome ArbStage::Work::approach(double farthest) {
   const double settled = std::exp2(-kSettledShare * static_cast<double>(bits_));
   double last = HUGE_VAL;
   double last_ratio = 1;
   int stalls = 0;
   int outside = 0;
+  std::vector<ArbBall> before;  // going on; empty where Newton's method alone has come here
+  double least_gain = 1;        // of having gone on: what one more correction would have made
+  bool may_go_on = true;
   ArbOutcome outcome = ArbOutcome::not_proved;
   for (slong k = 0; k < kIterationsPerBit * bits_; ++k) {
     evaluate_at(m_);
@@ -280,13 +308,29 @@ ArbOutcome ArbStage::Work::approach(double farthest) {
     if (!tells && outside > 0) return ArbOutcome::not_proved;
     if (outside > kMostOutside) return ArbOutcome::left;
     if (!tells) break;
+    if (!before.empty() && share >= least_gain * last) {
+      m_ = std::exchange(before, {});
+      may_go_on = false;
+      last_ratio = 1;
+      continue;
+    }
+    before.clear();
     const double ratio = share / last;
     const bool is_quadratic = last_ratio < kQuadraticShare && ratio < last_ratio;
     if (is_quadratic) outcome = ArbOutcome::converged;
     if (share <= settled) break;
     stalls = share < last ? 0 : stalls + 1;
+    const bool is_steady = may_go_on && std::abs(ratio - last_ratio) < kSteadyShare &&
+                           kLeastSteadyShare < ratio && ratio < kMostSteadyShare;
+    const double left = std::max(kLeastLeft, kTimesLeft * std::abs(ratio - last_ratio));
     last = share;
     last_ratio = ratio;
+    if (is_steady) {
+      before = m_;
+      least_gain = ratio;
+      go_on((1 - left) * ratio / (1 - ratio));
+      last_ratio = 1;
+    }
     if (stalls > kMostStalls) break;
   }
   if (outside > 0) return ArbOutcome::left;

@@ -33,6 +33,8 @@ constexpr double kWay = 4;
 // Starts around a cluster that is shown to be none, beside two a root.
 constexpr std::size_t kMostStarts = 32;
 
+// Two pairs of opposite ones: of simple roots Newton's method comes to one.
+constexpr std::size_t kStartsInVain = 4;
 // In vain they take so much longer that so many clusters go first.
 constexpr int kMoreBits[] = {512, kMostArbBits};
 constexpr std::size_t kFirstClusters = 2;
@@ -64,7 +66,9 @@ Proofs roots_beside(const Run& run, const Root& end, std::size_t paths, int bits
   const std::size_t starts = std::min(2 * paths, kMostStarts);
   Proofs found;
   for (std::size_t k = 0; k < starts && found.size() < paths && !setting.stop; ++k) {
-    const double turn = static_cast<double>(k) / static_cast<double>(starts);
+    if (k == kStartsInVain && found.empty()) break;
+    const double turn =
+        static_cast<double>(k / 2 + k % 2 * (starts / 2)) / static_cast<double>(starts);
     const Point x = beside(end, d, std::polar(1.0, 2 * std::numbers::pi * turn));
     auto proof = bits > kBits ? prover.prove_slowly(x, bits) : prover.prove(x);
     if (!proof || is_held(run, *proof)) continue;
@@ -167,9 +171,9 @@ bool conclude(Run& run, Refiner& refiner, const std::vector<std::uint64_t>& clus
 Groups uncounted_clusters(Run& run) {
   Groups clusters;
   for (const auto& [path, question] : judge(run).open) {
-    if (question == Question::jumped && run.ledger.roots().at(path).certificate) {
-      clusters.push_back({path});
-    }
+    const auto root = run.ledger.roots().find(path);
+    const bool has_root = root != run.ledger.roots().end() && root->second.certificate;
+    if (question == Question::jumped && has_root) clusters.push_back({path});
   }
   for (const auto& group : groups_of(run)) {
     EndsOfGroup ends = ends_of(run, group);
