@@ -200,11 +200,11 @@ bool has_no_root_within(const System& f, const Point& x, double radius,
                         std::uint64_t multiplicity) {
   std::vector<Coefficient> place;
   for (const Complex& xj : x) place.push_back(exact(xj));
-  return has_no_root_within(f, place, radius, multiplicity);
+  return has_no_root_near(f, place, radius, multiplicity);
 }
 
-bool has_no_root_within(const System& f, const std::vector<Coefficient>& x, double radius,
-                        std::uint64_t multiplicity) {
+bool has_no_root_near(const System& f, const std::vector<Coefficient>& x, double radius,
+                      std::uint64_t multiplicity) {
   const std::size_t n = f.variables.size();
   TaylorSums expander(x, radius, exact_order(n, multiplicity));
   std::vector<Expansion> expansions;

@@ -57,7 +57,7 @@ class Refuter {
       midpoint.push_back(exact_sum(place.middle, place.finer));
       error = std::max(error, place.error);
     }
-    return has_no_root_within(f_, midpoint, error);
+    return has_no_root_near(f_, midpoint, error);
   }
 
   const System& f_;

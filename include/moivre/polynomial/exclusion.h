@@ -25,7 +25,7 @@ namespace moivre {
 bool has_no_root_within(const System& f, const Point& x, double radius,
                         std::uint64_t multiplicity = 1);
 /// The same of a point that double does not hold.
-bool has_no_root_within(const System& f, const std::vector<Coefficient>& x, double radius,
-                        std::uint64_t multiplicity = 1);
+bool has_no_root_near(const System& f, const std::vector<Coefficient>& x, double radius,
+                      std::uint64_t multiplicity = 1);
 
 }  // namespace moivre
