@@ -4,6 +4,8 @@
 
 namespace moivre {
 
+bool are_multiplicities(const std::vector<RingPoint>&, std::uint64_t) { return false; }
+
 std::optional<std::vector<RingPoint>> ring_points(const System&, const RingPointsOptions&) {
   return std::nullopt;
 }

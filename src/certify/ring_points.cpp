@@ -246,6 +246,12 @@ std::optional<std::vector<RingPoint>> real_ring_points(const System& f,
 
 }  // namespace
 
+bool are_multiplicities(const std::vector<RingPoint>& points, std::uint64_t dimension) {
+  std::uint64_t sum = 0;
+  for (const RingPoint& point : points) sum += point.exponent;
+  return sum == dimension;
+}
+
 std::optional<std::vector<RingPoint>> ring_points(const System& f,
                                                   const RingPointsOptions& options) {
   thread_local const FlintCaches caches;

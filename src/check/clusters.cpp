@@ -70,9 +70,8 @@ std::vector<RingPoint> points_of_ring(const System& f, const std::atomic<bool>& 
                         ring.dimension <= kMostRingPoints && coefficient_errors(f).empty();
   if (!is_small) return {};
   auto points = ring_points(f, {.most_terms = kTermsOfRing, .stop = &stop, .seed = kRingSeed});
-  std::uint64_t sum = 0;
-  for (const RingPoint& point : points.value_or(std::vector<RingPoint>{})) sum += point.exponent;
-  return sum == ring.dimension ? std::move(*points) : std::vector<RingPoint>{};
+  const bool are_known = points && are_multiplicities(*points, ring.dimension);
+  return are_known ? std::move(*points) : std::vector<RingPoint>{};
 }
 
 /// Asks for the ring where it is first needed.

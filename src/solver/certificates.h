@@ -34,8 +34,7 @@ class Prover {
   /// The certificate of a root that Newton's method reaches from x; nullptr where there is no
   /// proof.
   std::shared_ptr<const Certificate> prove(const Point& x);
-  /// The same in so many bits, however slowly Newton's method comes there: of two roots 2^-k apart
-  /// each bit of k takes a step.
+  /// The same in so many bits, however slowly Newton's method comes there.
   std::shared_ptr<const Certificate> prove_slowly(const Point& x, int bits);
   /// The same as prove() in double alone, nullptr as well where more digits have more to tell.
   std::shared_ptr<const Certificate> prove_in_double(const Point& x);

@@ -27,8 +27,8 @@ namespace moivre {
 void part_clusters(Run& run);
 
 /// Places where several paths end and that exact algebra does not count as one root: simple ones as
-/// near to each other as 1e-270? Newton's method takes a step for each bit, so that a few go first,
-/// and others as long as that helps. What is not parted stays what it was.
+/// near to each other as 1e-270? What is looked for in vain takes long, so that a few go first, and
+/// others as long as that helps. What is not parted stays what it was.
 void part_clusters_in_more_bits(Run& run);
 
 /// Whether some path ends at this simple root, or at one that may be the same.

@@ -53,10 +53,9 @@ std::vector<ProvedPlace> simple_places(const Setting& setting,
 
 /// None where not all of them are known, or two are one point of double.
 std::vector<ExactRoot> multiple_roots(const Run& run, const std::vector<RingPoint>& points) {
-  std::uint64_t sum = 0;
   std::vector<ExactRoot> roots;
+  if (!are_multiplicities(points, run.bounds.ring.dimension)) return roots;
   for (const RingPoint& point : points) {
-    sum += point.exponent;
     if (point.exponent == 1) continue;
     Place place = place_of(run.setting.prepared.reduction, point.x);
     const bool is_taken = std::any_of(roots.begin(), roots.end(),
@@ -64,7 +63,7 @@ std::vector<ExactRoot> multiple_roots(const Run& run, const std::vector<RingPoin
     if (is_taken) return {};
     roots.push_back({std::move(place.x), true, point.exponent});
   }
-  return sum == run.bounds.ring.dimension ? roots : std::vector<ExactRoot>{};
+  return roots;
 }
 
 /// Of the point that was last seen of the path; 1 where nothing was.

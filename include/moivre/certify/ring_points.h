@@ -47,6 +47,9 @@ struct RingPointsOptions {
   int bits = 256;  ///< so many of each coordinate are told, relative to the largest one
 };
 
+/// Whether each e_z is the root's multiplicity; dimension: of the ring.
+bool are_multiplicities(const std::vector<RingPoint>& points, std::uint64_t dimension);
+
 /// nullopt where it is given up.
 std::optional<std::vector<RingPoint>> ring_points(const System& f,
                                                   const RingPointsOptions& options);
