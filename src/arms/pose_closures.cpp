@@ -197,6 +197,10 @@ void explain(PoseSearch& pose) {
   for (const Eigen::VectorXd& place : list.places) {
     if (!is_listed(list, place)) result.complete = false;
   }
+  if (!list.are_sets_whole) {
+    result.complete = false;
+    result.message = "a set on which the joints move is too large to be told whole";
+  }
   // A posture within the digits would be told: there may be one where Newton's method did not come
   // to an end.
   const bool may_be_held =

@@ -159,20 +159,21 @@ std::optional<std::size_t> add(PostureList& list, TracedSet&& traced, bool is_wi
   traced.motion.within_digits = is_within_digits;
   // Where sets meet the posture may not be known well enough to be seen on one that is there.
   if (const auto same = set_of(list, traced.motion.values, stands_whole)) return same;
+  // An exact plane is told by its relations.
+  const bool is_plane = is_there && !traced.motion.relations.empty();
+  if (!traced.is_whole && !is_plane) list.are_sets_whole = false;
   list.moves.push_back(std::move(traced.motion));
   if (is_there) return list.moves.size() - 1;
   enter_near(list, traced);
   return std::nullopt;
 }
 
-/// The one that is told, is as clear, and goes there; or the end. A set is followed from closures
-/// that stand on it, again and again, and drifts aside by what the accuracy leaves open.
+/// The one that is told, is as clear, and goes there; or the end.
 std::vector<SelfMotion>::iterator told_as(PostureList& list, const SelfMotion& set) {
-  constexpr double kBeside = 0.03, kAsClear = 3;
   return std::find_if(list.moves.begin(), list.moves.end(), [&](const SelfMotion& told) {
     if (told.dimension < set.dimension || told.misfit > kAsClear * set.misfit) return false;
     const auto is_there = [&](const Eigen::VectorXd& values) {
-      return is_on(list.arm, told, values, kBeside);
+      return is_on(list.arm, told, values, kBesideSet);
     };
     return is_there(set.values) && is_there(set.samples.front()) && is_there(set.samples.back());
   });
@@ -216,7 +217,7 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
   for (const double accuracy : accuracies) {
     if (!list.follows_digits || sigma > accuracy / kReachesFar) continue;
     if (set_of(list, closure.values, is_any)) return std::nullopt;
-    auto traced = trace_set(list.arm, list.pose, closure.values, accuracy, list.seed);
+    auto traced = trace_set(list.arm, list.pose, closure.values, accuracy, list.seed, list.moves);
     if (!traced) continue;
     return add_open(list, std::move(*traced));
   }
@@ -230,7 +231,7 @@ void follow_digits(PostureList& list, const Polished& place) {
   for (const double accuracy : left_open(list)) {
     if (!list.follows_digits || place.residual > accuracy) continue;
     if (set_of(list, place.values, is_any)) return;
-    auto traced = trace_set(list.arm, list.pose, place.values, accuracy, list.seed);
+    auto traced = trace_set(list.arm, list.pose, place.values, accuracy, list.seed, list.moves);
     if (!traced || set_of(list, traced->motion.values, is_any)) continue;
     add_open(list, std::move(*traced));
     return;
@@ -259,9 +260,10 @@ int dimension_told(const PostureList& list, const Eigen::VectorXd& values, doubl
 /// The sets through the posture, where as many directions are open as `weak`.
 std::vector<TracedSet> sets_through(const PostureList& list, const Eigen::VectorXd& values,
                                     int weak, double accuracy) {
-  if (weak > 1) return trace_branches(list.arm, list.pose, values, weak, accuracy, list.seed);
+  if (weak > 1)
+    return trace_branches(list.arm, list.pose, values, weak, accuracy, list.seed, list.moves);
   std::vector<TracedSet> sets;
-  auto traced = trace_set(list.arm, list.pose, values, accuracy, list.seed);
+  auto traced = trace_set(list.arm, list.pose, values, accuracy, list.seed, list.moves);
   if (traced) sets.push_back(std::move(*traced));
   return sets;
 }

@@ -31,6 +31,8 @@ struct PostureList {
   /// Not from closures that such a set has led to: they are on it, and a surface has a curve
   /// through each.
   bool follows_digits = true;
+  /// What is told of a set shows all of it.
+  bool are_sets_whole = true;
 };
 
 struct PostureEntry {

@@ -22,11 +22,12 @@ using Eigen::VectorXd;
 constexpr double kShortest = 4, kShortestCurve = 6;
 /// Singular values beside the largest: directions with larger ones do move the tip.
 constexpr double kMayStand = 0.02;
-/// A set of one dimension has at most so many samples to each side, one of more dimensions so many
-/// ways of so many steps.
+/// A set of one dimension has at most so many samples to each side; for one of more dimensions so
+/// many ways are gone.
 constexpr int kMostSteps = 400;
+constexpr int kMostWays = 10'000;
+/// Where sets cross so many ways are tried.
 constexpr std::uint64_t kWays = 12;
-constexpr int kStepsOfAWay = 25, kStepsAlong = 100;
 /// Of a probe: how near places of a curve are that tell its one direction.
 constexpr double kNearProbe = 0.1;
 /// Where random numbers of the first place, of one further on, and of ways begin.
@@ -57,6 +58,15 @@ VectorXd random_unit_vector(const MatrixXd& columns, std::uint64_t seed, std::ui
   return columns * along.normalized();
 }
 
+/// As many directions as move the tip so little that it may stand, from those that move it least.
+MatrixXd still_directions(const SetPlace& place) {
+  const Svd stretch = stretch_of(place);
+  const Index n = stretch.sigma.size();
+  Index still = 0;
+  while (still < n && stretch.sigma[n - 1 - still] <= kMayStand * stretch.sigma[0]) ++still;
+  return stretch.V.rightCols(still);
+}
+
 /// Directions in which the set goes on from here (orthonormal), and a place further on: random
 /// steps along what moves the tip least, put right without restraint, come back to the set.
 struct Around {
@@ -66,14 +76,11 @@ struct Around {
 Around around(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& place, double accuracy,
               std::uint64_t seed, std::uint64_t stream, double probe) {
   constexpr std::uint64_t kSteps = 8;
-  const Index n = place.values.size();
-  Index still = 0;
-  const Svd stretch = stretch_of(place);
-  while (still < n && stretch.sigma[n - 1 - still] <= kMayStand * stretch.sigma[0]) ++still;
+  const MatrixXd least = still_directions(place);
+  const Index still = least.cols();
   Around result;
   if (still == 0) return result;
   std::vector<VectorXd> differences;
-  const MatrixXd least = stretch.V.rightCols(still);
   const std::uint64_t steps = still == 1 ? 2 : kSteps;  // a single direction has two sides
   for (std::uint64_t k = 0; k < steps; ++k) {
     const VectorXd direction = still == 1
@@ -277,36 +284,87 @@ void trace_curve(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& 
   traced.near_closures = near_closures(arm, pose, places, accuracy);
 }
 
-/// Of the places those that are no nearer to each other than this.
-std::vector<VectorXd> spread(const Arm& arm, const std::vector<VectorXd>& places, double distance) {
-  std::vector<VectorXd> taken;
-  for (const VectorXd& place : places) {
-    const bool is_near = std::any_of(taken.begin(), taken.end(), [&](const VectorXd& other) {
-      return apart(arm, place, other) < distance;
-    });
-    if (!is_near) taken.push_back(place);
+/// Of 3^n - 1: along each of orthonormal columns, to both sides, and between them.
+std::vector<VectorXd> all_sides(const MatrixXd& columns) {
+  std::vector<VectorXd> sides{VectorXd::Zero(columns.rows())};
+  for (Index k = 0; k < columns.cols(); ++k) {
+    const std::size_t count = sides.size();
+    for (const double sign : {-1.0, 1.0}) {
+      for (std::size_t i = 0; i < count; ++i) sides.push_back(sides[i] + sign * columns.col(k));
+    }
   }
-  return taken;
+  sides.erase(sides.begin());
+  for (VectorXd& side : sides) side.normalize();
+  return sides;
 }
 
-/// To both sides along each of its directions, and along random ones. Where closures of the arm are
-/// on a surface that is open within an accuracy only Newton's method tells, from everywhere.
-void trace_surface(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
-                   double accuracy, double step, std::uint64_t seed, TracedSet& traced) {
-  SelfMotion& motion = traced.motion;
-  motion.samples.push_back(begin.place.values);
-  const auto go = [&](const VectorXd& direction, int most) {
-    const Way gone =
-        follow(arm, pose, begin.place, direction, motion.dimension, most, accuracy, step);
-    take(gone.places, motion.samples, motion.misfit);
+/// apart() is less, from the first joint on that tells.
+bool is_nearer(const Arm& arm, const VectorXd& a, const VectorXd& b, double within) {
+  double square = 0;
+  for (Index k = 0; k < a.size() && square < within * within; ++k) {
+    const double way = joint_way(arm, a, b, k);
+    square += way * way;
+  }
+  return square < within * within;
+}
+
+/// To one side, as far as the set goes on, and no farther than so many steps.
+SetPlace walk(const Arm& arm, const Eigen::Isometry3d& pose, SetPlace here, VectorXd side,
+              double accuracy, double step, int most) {
+  for (int k = 0; k < most; ++k) {
+    auto next = moved(arm, pose, here, side, step, accuracy);
+    if (!next) break;
+    side = in_arms_lengths(arm, next->values - here.values).normalized();
+    here = std::move(*next);
+  }
+  return here;
+}
+
+/// Places of the set, no nearer to each other than kApart steps; what can be walked to is no
+/// farther from one of them, if they are all.
+struct Cover {
+  std::vector<SetPlace> places;
+  bool is_whole = true;
+};
+
+/// From each place to all sides, where none is yet. What moves the tip least is not the same
+/// everywhere, and at a corner of what is open it leads out.
+Cover cover_of(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& begin,
+               double accuracy, double step) {
+  constexpr int kSteps = 5;
+  constexpr double kLong = 3, kApart = 10;  // beside a step
+  Cover cover{{begin}};
+  const auto is_covered = [&](const VectorXd& values) {
+    return std::any_of(cover.places.begin(), cover.places.end(), [&](const SetPlace& place) {
+      return is_nearer(arm, place.values, values, kApart * step);
+    });
   };
-  for (Index k = 0; k < begin.ways.cols(); ++k) {
-    for (const double sign : {-1.0, 1.0}) go(sign * begin.ways.col(k), kStepsAlong);
+  int ways = 0;
+  for (std::size_t k = 0; k < cover.places.size(); ++k) {
+    const SetPlace from = cover.places[k];
+    for (const VectorXd& side : all_sides(still_directions(from))) {
+      const VectorXd ahead = kSteps * kLong * step * side;
+      if (is_covered(from.values + in_joints<double>(arm, ahead))) continue;
+      if (++ways > kMostWays) {
+        cover.is_whole = false;
+        return cover;
+      }
+      SetPlace end = walk(arm, pose, from, side, accuracy, kLong * step, kSteps);
+      if (!is_covered(end.values)) cover.places.push_back(std::move(end));
+    }
   }
-  for (std::uint64_t way = 0; way < kWays; ++way) {
-    go(random_unit_vector(begin.ways, seed, kThirdStream + way * kMostJoints), kStepsOfAWay);
-  }
-  if (motion.misfit > kReach) traced.near_closures = spread(arm, motion.samples, 4 * step);
+  return cover;
+}
+
+/// Where closures of the arm are on a surface that is open within an accuracy only Newton's method
+/// tells, from everywhere.
+void trace_surface(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
+                   double accuracy, double step, TracedSet& traced) {
+  SelfMotion& motion = traced.motion;
+  const Cover cover = cover_of(arm, pose, begin.place, accuracy, step);
+  take(cover.places, motion.samples, motion.misfit);
+  traced.is_whole = cover.is_whole;
+  if (motion.misfit > kReach) traced.near_closures = motion.samples;
 }
 
 double reach_of(const Arm& arm, const std::vector<VectorXd>& samples) {
@@ -318,40 +376,50 @@ double reach_of(const Arm& arm, const std::vector<VectorXd>& samples) {
 }
 
 /// An accuracy lets the tip stand along many directions for a little; of the set are those that it
-/// goes on in, from the weakest.
+/// goes on in. A way may turn into another one: of the set are as many as the ends of ways span.
 MatrixXd far_reaching(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
                       double accuracy, double step) {
   constexpr int kSteps = 8;
-  // Places that probes come to tell how many there are; where they are bent, they are chords, and
-  // the tip moves under them much more than under tangents.
-  const MatrixXd ways = stretch_of(begin.place).V.rightCols(begin.ways.cols());
+  // Places that probes come to are joined by chords, under which the tip moves much more than under
+  // tangents where they are bent.
+  const MatrixXd ways = still_directions(begin.place);
   MatrixXd far(ways.rows(), 0);
+  std::vector<VectorXd> gone;
   for (Index k = ways.cols() - 1; k >= 0; --k) {
-    std::vector<VectorXd> samples;
-    double misfit = 0;
-    for (const double sign : {-1.0, 1.0}) {
-      const VectorXd way = sign * ways.col(k);
-      const Way gone = follow(arm, pose, begin.place, way, 1, kSteps, accuracy, step);
-      std::reverse(samples.begin(), samples.end());
-      take(gone.places, samples, misfit);
-    }
-    if (samples.empty() || reach_of(arm, samples) < kShortestCurve * step) continue;
+    const SetPlace back = walk(arm, pose, begin.place, -ways.col(k), accuracy, step, kSteps);
+    const SetPlace forth = walk(arm, pose, begin.place, ways.col(k), accuracy, step, kSteps);
+    if (apart(arm, back.values, forth.values) < kShortestCurve * step) continue;
+    gone.push_back(in_arms_lengths(arm, forth.values - back.values));
     far.conservativeResize(Eigen::NoChange, far.cols() + 1);
     far.rightCols(1) = ways.col(k);
   }
-  return far;
+  if (gone.empty()) return far;
+  const MatrixXd spanned = span_of(gone);
+  if (spanned.cols() == far.cols()) return far;
+  return spanned.cols() == 1 ? MatrixXd(far.leftCols(1)) : spanned;
+}
+
+/// A surface that is open within as much is told there: it is followed once.
+bool is_told_there(const Arm& arm, const std::vector<SelfMotion>& told, const SetBegin& begin,
+                   double accuracy) {
+  return std::any_of(told.begin(), told.end(), [&](const SelfMotion& set) {
+    return set.dimension >= begin.ways.cols() && set.misfit <= kAsClear * accuracy &&
+           is_on(arm, set, begin.place.values, kBesideSet);
+  });
 }
 
 /// `size`: of probes and steps, beside the usual ones.
 std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& pose,
                                        const VectorXd& from, double accuracy, double size,
-                                       std::uint64_t seed) {
+                                       std::uint64_t seed, const std::vector<SelfMotion>& told) {
   const double probe = size * kProbe, step = size * kStep;
   auto begin = set_begin(arm, pose, from, accuracy, probe, seed);
   if (!begin) return std::nullopt;
   if (begin->ways.cols() > 1 && accuracy > kReach) {
     begin->ways = far_reaching(arm, pose, *begin, accuracy, step);
     if (begin->ways.cols() == 0) return std::nullopt;
+    const bool is_surface = begin->ways.cols() > 1;
+    if (is_surface && is_told_there(arm, told, *begin, accuracy)) return std::nullopt;
   }
   TracedSet traced;
   SelfMotion& motion = traced.motion;
@@ -361,7 +429,7 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   if (motion.dimension == 1) {
     trace_curve(arm, pose, *begin, accuracy, step, traced);
   } else {
-    trace_surface(arm, pose, *begin, accuracy, step, seed, traced);
+    trace_surface(arm, pose, *begin, accuracy, step, traced);
   }
   // A few steps are no set: closures that meet leave the accuracy behind as slowly.
   const double reached = reach_of(arm, motion.samples);
@@ -394,21 +462,22 @@ bool has_ends(const SelfMotion& set) {
 }
 
 std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose,
-                                   const VectorXd& from, double accuracy, std::uint64_t seed) {
+                                   const VectorXd& from, double accuracy, std::uint64_t seed,
+                                   const std::vector<SelfMotion>& told) {
   // The exact set may be small, as beside a stretched elbow. Where k closures meet the tip is
   // missed by the k-th power of the way: so near it must not be missed by as much.
   constexpr double kSmaller[] = {0.1, 0.01};
-  auto traced = trace_at_size(arm, pose, from, accuracy, 1, seed);
+  auto traced = trace_at_size(arm, pose, from, accuracy, 1, seed, told);
   for (const double size : kSmaller) {
     if (traced || accuracy > kReach) break;
-    traced = trace_at_size(arm, pose, from, size * accuracy, size, seed);
+    traced = trace_at_size(arm, pose, from, size * accuracy, size, seed, told);
   }
   return traced;
 }
 
 std::vector<TracedSet> trace_branches(const Arm& arm, const Eigen::Isometry3d& pose,
                                       const VectorXd& crossing, int weak, double accuracy,
-                                      std::uint64_t seed) {
+                                      std::uint64_t seed, const std::vector<SelfMotion>& told) {
   constexpr int kSteps = 8;
   const SetPlace place = place_at(arm, pose, crossing);
   const MatrixXd directions = stretch_of(place).V.rightCols(weak);
@@ -425,7 +494,7 @@ std::vector<TracedSet> trace_branches(const Arm& arm, const Eigen::Isometry3d& p
           return is_on(arm, branch.motion, there, kNearProbe * kProbe);
         });
     if (is_known) continue;
-    if (auto branch = trace_set(arm, pose, there, accuracy, seed)) {
+    if (auto branch = trace_set(arm, pose, there, accuracy, seed, told)) {
       branches.push_back(std::move(*branch));
     }
   }

@@ -5,8 +5,9 @@
 // At a posture the screws' smallest singular values tell candidates: joint velocities that move the
 // tip least. Random steps along them, put right by Newton's method, come back to the set if there
 // is one; it has as many dimensions as these places span.
-// A set of dimension 1 is followed in steps of kStep to both sides until it closes or ends. Of a
-// larger one ways along its directions and random ones are followed.
+// A set of dimension 1 is followed in steps of kStep to both sides until it closes or ends. A
+// larger one is covered: from each place to all sides, on to where none is yet, so that no posture
+// of it is far from a sample.
 // An exact set may be small: steps are then a tenth or a hundredth of that.
 //   relations: r . q = constant on the whole set, for its joints that move, where it is a piece of
 //   a plane in joint space
@@ -25,22 +26,29 @@ struct TracedSet {
   SelfMotion motion;
   /// Of a set within the accuracy only: where Newton's method is begun for closures.
   std::vector<Eigen::VectorXd> near_closures;
+  bool is_whole = true;  ///< a surface may be too large to be covered
 };
 
 /// A curve of postures ends nowhere: one that does, where it misses the pose by more than rounding,
 /// is there within the digits only.
 bool has_ends(const SelfMotion& set);
 
-/// nullopt where the posture stands alone. `accuracy`: radians, and lengths beside the arm's.
+/// A set is followed from closures that stand on it, again and again, and drifts aside by what the
+/// accuracy leaves open: it is one that is told if it is no nearer to the pose by this factor, and
+/// no farther than this from that, radians and arm's lengths.
+inline constexpr double kAsClear = 3, kBesideSet = 0.03;
+
+/// nullopt where the posture stands alone, or on a surface that is told and as clear. `accuracy`:
+/// radians, and lengths beside the arm's.
 std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose,
-                                   const Eigen::VectorXd& from, double accuracy,
-                                   std::uint64_t seed);
+                                   const Eigen::VectorXd& from, double accuracy, std::uint64_t seed,
+                                   const std::vector<SelfMotion>& told = {});
 
 /// Where sets cross that are open within the accuracy the tip can move little along `weak`
 /// directions and more: the sets that go on along some of them, from a place that is clearly on
 /// one.
 std::vector<TracedSet> trace_branches(const Arm& arm, const Eigen::Isometry3d& pose,
                                       const Eigen::VectorXd& crossing, int weak, double accuracy,
-                                      std::uint64_t seed);
+                                      std::uint64_t seed, const std::vector<SelfMotion>& told);
 
 }  // namespace moivre
