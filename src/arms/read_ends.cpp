@@ -229,7 +229,7 @@ bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, Ar
 bool is_on_plane(const PlaceOfEnd& end, const PostureList& list) {
   constexpr double kOnPlane = 1e-3;
   return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
-    const bool is_told = is_exact(set) || (is_searched(set) && set.misfit > kReach);
+    const bool is_told = is_exact(set) || set.misfit > kReach;
     if (set.relations.empty() || !is_told) return false;
     // Relations are real: real and imaginary parts are along the plane.
     return is_on(list.arm, set, end.values, kOnPlane) &&

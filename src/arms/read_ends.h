@@ -58,7 +58,8 @@ bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, Ar
 /// Whether the end is on a plane of postures, or on its continuation into complex numbers: paths
 /// slide along it, as slowly as rounding lets them be followed, and an arm as typed may have more
 /// closures there than the geometry that its digits stand for. All real ones on it are listed, but
-/// for a plane that seems to hold the pose and ends.
+/// for a plane that seems to hold the pose and ends: those of a curve by signs, those of a surface
+/// by Newton's method from places that are nowhere far.
 bool is_on_plane(const PlaceOfEnd& end, const PostureList& list);
 
 /// Whether a place that holds the pose within its accuracy is of a set or a closure that is listed:

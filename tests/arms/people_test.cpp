@@ -472,6 +472,13 @@ TEST(PeoplesArmsTest, WhatIsOpenIsFollowedFromItsCorners) {
                read_poses({"pose", "0.3221 0 1.4513 -0.9888 0 -0.1494 0"}).front());
 }
 
+/// Home: three axes are in line but for the pose's rounding. Paths slide into complex numbers along
+/// the plane on which their turns have one sum, as far as rounding lets them be followed.
+TEST(PeoplesArmsTest, PathsAlongAPlaneThatIsOpenAreOfIt) {
+  expect_shown({"panda_all_digits", {{"joint_7", 0.3}}, {{0, 0, 0, 0, 0, 0}}},
+               read_poses({"pose", "0.088 0 0.926 0 -0.9888 0.1494 0"}).front());
+}
+
 /// As a file of poses with so many decimals has it.
 TypedPose rounded_pose(const Eigen::Isometry3d& tip, int decimals) {
   const Eigen::Quaterniond turn(tip.linear());
