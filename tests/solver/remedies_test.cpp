@@ -72,7 +72,7 @@ TEST(Remedies, MultipleRootsThatNoPathShowsAreToldByTheQuotientRing) {
   const System f = read(
       "2\n (u - 2*v - 15/7)^6*(u - 2*v - 15/7 - 6/10^4);\n"
       " (3*v - u)*((u - 2*v)^2 + 4) - 8*(u - 2*v) + 5;\n");
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     for (const auto& tracker : {make_lane_tracker(), make_cvode_tracker()}) {
       const SolveResult result = solve(f, *tracker, with_seed(seed));
       SCOPED_TRACE(tracker->kind() + ", seed " + std::to_string(seed));

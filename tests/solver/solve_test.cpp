@@ -372,7 +372,7 @@ TEST(Solve, DropsARootAtWhichASpareEquationIsOffByLessThanDoubleSees) {
   const System f = read(
       "3 2\n x - 5/3 + (y - 7/6)*(y + 20);\n (y - 7/6)*(y + 20);\n"
       " (x - 5/3)*(y + 1) + 8/10^26*(y - 7/6);\n");
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
     const SolveResult result = solve_with_cvode(f, with_seed(seed));
     EXPECT_TRUE(result.complete) << result.message;
     ASSERT_EQ(result.solutions.size(), 1U);
