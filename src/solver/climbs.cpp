@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 
 #include "certificates.h"
 #include "completeness.h"
@@ -18,35 +17,18 @@ namespace {
 // So many paths go ahead in more digits than double-double.
 constexpr std::size_t kFirstAhead = 2;
 
-using Groups = std::vector<std::vector<std::uint64_t>>;
-
-/// The paths of isolated ends at which several meet and some show no simple root: those, by the
-/// first of them.
-std::map<std::uint64_t, PathSet> clusters_in(const Run& run, const Groups& groups) {
-  std::map<std::uint64_t, PathSet> clusters;
-  for (const auto& group : groups) {
-    const EndsOfGroup ends = ends_of(run, group);
-    if (group.size() == 1 || ends.singular.empty()) continue;
-    const std::uint64_t first = ends.singular.front();
-    const Root& end = run.ledger.roots().at(first);
-    if (end.is_exact || is_on_set(run, end)) continue;
-    clusters[first] = {ends.singular.begin(), ends.singular.end()};
-  }
-  return clusters;
-}
-
 /// One path of each cluster goes ahead to a regular end.
-PathSet first_of(const std::map<std::uint64_t, PathSet>& clusters) {
+PathSet first_of(const PathGroups& clusters) {
   PathSet first;
-  for (const auto& [path, cluster] : clusters) first.insert(path);
+  for (const auto& cluster : clusters) first.insert(cluster.front());
   return first;
 }
 
 /// Where it has found a simple root, so do the others.
-PathSet others_of(const Run& run, const std::map<std::uint64_t, PathSet>& clusters) {
+PathSet others_of(const Run& run, const PathGroups& clusters) {
   PathSet others;
-  for (const auto& [path, cluster] : clusters) {
-    const auto root = run.ledger.roots().find(path);
+  for (const auto& cluster : clusters) {
+    const auto root = run.ledger.roots().find(cluster.front());
     if (root == run.ledger.roots().end() || !root->second.point.simple) continue;
     others.insert(std::next(cluster.begin()), cluster.end());
   }
@@ -105,7 +87,7 @@ PathSet paths_at_infinity(const Run& run) {
 }  // namespace
 
 void part_in_double_double(Run& run) {
-  const auto clusters = clusters_in(run, groups_of(run));
+  const PathGroups clusters = clusters_at(run);
   climb(run, first_of(clusters), Taken::regular_ends);
   climb(run, others_of(run, clusters), Taken::regular_ends);
 }

@@ -22,7 +22,6 @@ namespace moivre {
 namespace {
 
 using Proofs = std::vector<std::shared_ptr<const Certificate>>;
-using Groups = std::vector<std::vector<std::uint64_t>>;
 
 // Of a true multiple root each bit takes a step or more, and each step what a certificate does: no
 // more bits than one step of precisions beyond double. The certifier takes more where it sees a
@@ -119,8 +118,8 @@ Finding look_into(const Run& run, const Root& end, std::size_t paths) {
 
 /// Groups of ends at which no simple root was found, that are isolated, and that exact algebra has
 /// not counted.
-Groups clusters_of(const Run& run) {
-  Groups clusters;
+PathGroups clusters_of(const Run& run) {
+  PathGroups clusters;
   for (auto& group : judge(run).roots) {
     const bool is_cluster = std::none_of(group.begin(), group.end(), [&](std::uint64_t path) {
       const Root& root = run.ledger.roots().at(path);
@@ -165,22 +164,16 @@ bool conclude(Run& run, Refiner& refiner, const std::vector<std::uint64_t>& clus
   return true;
 }
 
-/// The paths of each isolated place where several end and some show no simple root: those, unless
-/// exact algebra counts as many. And those that come to a simple root after another one: in double
-/// they may have another one beside it.
-Groups uncounted_clusters(Run& run) {
-  Groups clusters;
+/// Paths that come to a simple root after another one: in double they may have another one beside
+/// it. And places at which exact algebra does not count as many roots as paths end there.
+PathGroups uncounted_clusters(Run& run) {
+  PathGroups clusters;
   for (const auto& [path, question] : judge(run).open) {
     const auto root = run.ledger.roots().find(path);
     const bool has_root = root != run.ledger.roots().end() && root->second.certificate;
     if (question == Question::jumped && has_root) clusters.push_back({path});
   }
-  for (const auto& group : groups_of(run)) {
-    EndsOfGroup ends = ends_of(run, group);
-    if (group.size() == 1 || ends.singular.empty()) continue;
-    const Root& end = run.ledger.roots().at(ends.singular.front());
-    if (!end.is_exact && !is_on_set(run, end)) clusters.push_back(std::move(ends.singular));
-  }
+  for (auto& cluster : clusters_at(run)) clusters.push_back(std::move(cluster));
   if (clusters.empty()) return clusters;
   const std::vector<ExactRoot> exact = exact_roots(run);
   std::erase_if(clusters, [&](const auto& cluster) {
@@ -192,7 +185,7 @@ Groups uncounted_clusters(Run& run) {
 }  // namespace
 
 void part_clusters(Run& run) {
-  const Groups clusters = clusters_of(run);
+  const PathGroups clusters = clusters_of(run);
   if (clusters.empty() || are_as_counted(run)) return;
   const auto findings = findings_of(run, clusters, [&](const Root& end, std::size_t paths) {
     return look_into(run, end, paths);
@@ -207,7 +200,7 @@ void part_clusters(Run& run) {
 void part_clusters_in_more_bits(Run& run) {
   Refiner refiner(run.setting.refiner_program);
   for (const int bits : kMoreBits) {
-    const Groups clusters = uncounted_clusters(run);
+    const PathGroups clusters = uncounted_clusters(run);
     std::size_t together = kFirstClusters;
     for (std::size_t first = 0; first < clusters.size(); first += together, together *= 2) {
       const auto ahead =

@@ -89,6 +89,17 @@ JudgedEnds judge(const Run& run) {
   return judged;
 }
 
+PathGroups clusters_at(const Run& run) {
+  PathGroups clusters;
+  for (const auto& group : groups_of(run)) {
+    EndsOfGroup ends = ends_of(run, group);
+    if (group.size() == 1 || ends.singular.empty()) continue;
+    const Root& end = run.ledger.roots().at(ends.singular.front());
+    if (!end.is_exact && !is_on_set(run, end)) clusters.push_back(std::move(ends.singular));
+  }
+  return clusters;
+}
+
 PathSet open_to_more_digits(const Run& run) {
   PathSet paths;
   for (const auto& [path, question] : judge(run).open) {

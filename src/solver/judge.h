@@ -47,6 +47,13 @@ struct EndsOfGroup {
 };
 EndsOfGroup ends_of(const Run& run, const std::vector<std::uint64_t>& group);
 
+/// Paths, by the place where they end.
+using PathGroups = std::vector<std::vector<std::uint64_t>>;
+
+/// The paths of each isolated place at which several end and some show no simple root: those,
+/// unless the root is known exactly. Throws Interrupted.
+PathGroups clusters_at(const Run& run);
+
 /// Open paths, but for those that the caller's budget has ended: more digits save no steps. Throws
 /// Interrupted.
 PathSet open_to_more_digits(const Run& run);
