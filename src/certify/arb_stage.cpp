@@ -283,10 +283,20 @@ ArbOutcome ArbStage::Work::approach(double farthest) {
   std::vector<ArbBall> before;  // going on; empty where Newton's method alone has come here
   double least_gain = 1;        // of having gone on: what one more correction would have made
   bool may_go_on = true;
+  const auto go_back = [&] {
+    m_ = std::exchange(before, {});
+    may_go_on = false;
+    last_ratio = 1;
+  };
   ArbOutcome outcome = ArbOutcome::not_proved;
   for (slong k = 0; k < kIterationsPerBit * bits_; ++k) {
     evaluate_at(m_);
-    if (!find_step()) return ArbOutcome::not_proved;
+    const bool has_step = find_step();
+    if (!has_step && before.empty()) return ArbOutcome::not_proved;
+    if (!has_step) {
+      go_back();
+      continue;
+    }
     const double least = std::max(kLeastWeight * largest_coordinate(), kLeastRadius);
     double share = 0;
     double noise = 0;  // about what rounding makes of it
@@ -297,23 +307,25 @@ ArbOutcome ArbStage::Work::approach(double farthest) {
       acb_get_mid(mj, mj);
       const double step = modulus_of(step_.entry(j, 0));
       const double size = modulus_of(mj);
-      if (!std::isfinite(step) || !std::isfinite(size)) return ArbOutcome::not_proved;
+      if (!std::isfinite(step) || !std::isfinite(size)) {
+        share = HUGE_VAL;
+        break;
+      }
       share = std::max(share, step / std::max(size, least));
       noise = std::max(noise, modulus_of(step_.entry(j, 1)) / std::max(size, least));
       moved = std::max(moved, distance(mj, start_[j].get()));
     }
+    if (!before.empty() && !(share < least_gain * last)) {
+      go_back();
+      continue;
+    }
+    if (!std::isfinite(share)) return ArbOutcome::not_proved;
     // A step that rounding can make tells nothing, nor would the next.
     const bool tells = share > noise;
     outside = moved > farthest ? outside + 1 : 0;
     if (!tells && outside > 0) return ArbOutcome::not_proved;
     if (outside > kMostOutside) return ArbOutcome::left;
     if (!tells) break;
-    if (!before.empty() && share >= least_gain * last) {
-      m_ = std::exchange(before, {});
-      may_go_on = false;
-      last_ratio = 1;
-      continue;
-    }
     before.clear();
     const double ratio = share / last;
     const bool is_quadratic = last_ratio < kQuadraticShare && ratio < last_ratio;
