@@ -115,7 +115,7 @@ Correction PathSystem::correct(std::span<Complex> x, const PathTime& t,
       ++work_.values;
     }
     if (fine) evaluate_fine(x, t);
-    fresh = false;
+    fresh = options.renews;
     if (k == 0) result.residual = residual();
     if (!newton_step(x, result.last)) return result;
     if (k == 0) {
@@ -130,7 +130,10 @@ Correction PathSystem::correct(std::span<Complex> x, const PathTime& t,
       // The next correction repairs what rounding did to this one, and may be as large.
       if (fine) result.last = std::numeric_limits<double>::infinity();
     }
-    if (result.last <= options.tolerance) {
+    // Of quadratic convergence the next correction is known before it is made.
+    const bool is_quadratic = options.renews && k > 0 && std::isfinite(previous);
+    const double ratio = is_quadratic ? result.last / previous : 1;
+    if (result.last * ratio * ratio <= options.tolerance) {
       result.converged = true;
       return result;
     }

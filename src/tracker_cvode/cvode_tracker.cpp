@@ -1,5 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Journeys with CVODE: right-hand side, projection, weights, and the loop over steps.
+//
+// x' = -J^{-1} H_t dt is the path's tangent on the path; beside it, where J is nearly singular, it
+// is a stiff field, and the order stays 1. From a step on that Newton's method refuses the field is
+// therefore that of the foot, the point of the path to which Newton's method comes, and the
+// tolerance is tighter, so that the error test bounds the next steps; both until a few steps are
+// accepted (decision 94).
 #include "moivre/tracker_cvode/cvode_tracker.h"
 
 #include <algorithm>
@@ -21,8 +27,11 @@ constexpr double kProjectionFailureEta = 0.25;
 constexpr int kMaximumFailuresInStep = 20;
 // Samples go into Cauchy's integral, so they are corrected as far as double allows.
 constexpr double kSampleTolerance = 1e-14;
-// Each level of care divides the tolerance and the trust in Newton by so much.
+// Each level of care divides the tolerance and the trust in Newton by so much; a step that Newton
+// refuses the tolerance alone, until so many steps are accepted behind it.
 constexpr double kCareFactor = 10;
+constexpr int kCarefulSteps = 5;
+constexpr double kTightest = 1e-8;
 
 class CvodeSession : public TrackerSession {
  public:
@@ -31,7 +40,8 @@ class CvodeSession : public TrackerSession {
         path_(homotopy),
         memory_(options.method == CvodeMethod::adams ? CV_ADAMS : CV_BDF, options.iteration,
                 path_.coordinates()),
-        trial_(path_.coordinates()) {
+        trial_(path_.coordinates()),
+        foot_{-1, Point(path_.coordinates()), Point(path_.coordinates())} {
     set_up();
   }
 
@@ -43,7 +53,19 @@ class CvodeSession : public TrackerSession {
   }
 
  private:
+  /// A point of the path, and its tangent there.
+  struct Foot {
+    double s;
+    Point x, tangent;
+  };
+
   bool projects() const { return options_.method == CvodeMethod::bdf_projection; }
+  bool is_careful() const { return rtol_ < loosest_rtol_; }
+  void forget();
+  void take_care();
+  void ease();
+  bool find_foot(double s, std::span<const Complex> y);
+  bool correct_trial(double s, std::span<const Complex> y);
 
   void set_up();
   Arrival travel(const Departure& departure, const std::atomic<bool>& stop);
@@ -52,8 +74,8 @@ class CvodeSession : public TrackerSession {
   bool take_samples(const Departure& departure, double previous, double s, Arrival& arrival);
   void count_into(StepCount& count) const;
 
-  static int right_hand_side(sunrealtype s, N_Vector y, N_Vector dy, void* self);
-  static int project(sunrealtype s, N_Vector y, N_Vector correction, sunrealtype epsilon,
+  static int right_hand_side(sunrealtype s, N_Vector state, N_Vector derivative, void* self);
+  static int project(sunrealtype s, N_Vector state, N_Vector correction, sunrealtype epsilon,
                      N_Vector error, void* self);
   static int weights(N_Vector y, N_Vector weight, void* self);
 
@@ -61,8 +83,10 @@ class CvodeSession : public TrackerSession {
   PathSystem path_;
   CvodeMemory memory_;
   Point trial_;
+  Foot foot_;  ///< s < 0: none is known
   Contour contour_ = Contour::segment(0, 1);
   CorrectorOptions newton_;
+  double loosest_rtol_ = 0;
   double rtol_ = 0;
   double linearized_at_ =
       -1;  // s of the last right-hand side, whose factors the projection may use
@@ -92,26 +116,95 @@ void CvodeSession::set_up() {
                    "CVodeSetMaxNumProjFails");
 }
 
-int CvodeSession::right_hand_side(sunrealtype s, N_Vector y, N_Vector dy, void* self) {
+/// Neither the factors nor the foot are those of the point that comes.
+void CvodeSession::forget() {
+  linearized_at_ = -1;
+  foot_.s = -1;
+}
+
+void CvodeSession::take_care() {
+  rtol_ = std::max(rtol_ / kCareFactor, std::min(loosest_rtol_, kTightest));
+  forget();
+}
+
+void CvodeSession::ease() {
+  static const double factor = std::pow(kCareFactor, 1.0 / kCarefulSteps);
+  rtol_ = std::min(loosest_rtol_, rtol_ * factor);
+}
+
+/// The multiple of x that is nearest to y: both are homogeneous.
+Complex nearest_multiple(std::span<const Complex> x, std::span<const Complex> y) {
+  Complex over = 0;
+  double under = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    over = add_product(std::conj(x[i]), y[i], over);
+    under += std::norm(x[i]);
+  }
+  return over / under;
+}
+
+/// foot_ <- where Newton's method comes from y. CVODE asks several times at one s: near the foot of
+/// there nothing is done.
+bool CvodeSession::find_foot(double s, std::span<const Complex> y) {
+  if (foot_.s == s) {
+    const Complex scale = nearest_multiple(foot_.x, y);
+    for (std::size_t i = 0; i < y.size(); ++i) trial_[i] = y[i] - product(scale, foot_.x[i]);
+    if (weighted_norm(trial_, foot_.x) <= newton_.largest_correction) return true;
+  }
+  forget();
+  std::copy(y.begin(), y.end(), foot_.x.begin());
+  CorrectorOptions renewing = newton_;
+  renewing.renews = true;
+  last_correction_ = path_.correct(foot_.x, contour_.at(s), renewing, true);
+  if (!last_correction_.converged) return false;
+  path_.tangent(contour_.dt(s), foot_.tangent);
+  foot_.s = s;
+  return true;
+}
+
+/// trial_ <- the point of the path near y.
+bool CvodeSession::correct_trial(double s, std::span<const Complex> y) {
+  if (is_careful()) {
+    if (!find_foot(s, y)) return false;
+    const Complex scale = nearest_multiple(foot_.x, y);
+    for (std::size_t i = 0; i < y.size(); ++i) trial_[i] = product(scale, foot_.x[i]);
+    return true;
+  }
+  std::copy(y.begin(), y.end(), trial_.begin());
+  last_correction_ = path_.correct(trial_, contour_.at(s), newton_, linearized_at_ != s);
+  linearized_at_ = -1;
+  return last_correction_.converged;
+}
+
+int CvodeSession::right_hand_side(sunrealtype s, N_Vector state, N_Vector derivative, void* self) {
   auto& session = *static_cast<CvodeSession*>(self);
-  if (!session.path_.linearize(coordinates(y), session.contour_.at(s))) return 1;
-  session.linearized_at_ = s;
-  session.path_.tangent(session.contour_.dt(s), coordinates(dy));
+  const auto y = coordinates(state);
+  const auto dy = coordinates(derivative);
+  if (!session.is_careful()) {
+    if (!session.path_.linearize(y, session.contour_.at(s))) return 1;
+    session.linearized_at_ = s;
+    session.path_.tangent(session.contour_.dt(s), dy);
+    return 0;
+  }
+  if (!session.find_foot(s, y)) {
+    session.take_care();
+    return 1;
+  }
+  const Complex scale = nearest_multiple(session.foot_.x, y);
+  for (std::size_t i = 0; i < dy.size(); ++i) dy[i] = product(scale, session.foot_.tangent[i]);
   return 0;
 }
 
-int CvodeSession::project(sunrealtype s, N_Vector y, N_Vector correction, sunrealtype, N_Vector,
+int CvodeSession::project(sunrealtype s, N_Vector state, N_Vector correction, sunrealtype, N_Vector,
                           void* self) {
   auto& session = *static_cast<CvodeSession*>(self);
-  const auto from = coordinates(y);
-  const auto to = coordinates(correction);
-  std::copy(from.begin(), from.end(), session.trial_.begin());
-  const bool fresh = session.linearized_at_ != s;
-  session.last_correction_ =
-      session.path_.correct(session.trial_, session.contour_.at(s), session.newton_, fresh);
-  session.linearized_at_ = -1;
-  if (!session.last_correction_.converged) return 1;
-  for (std::size_t i = 0; i < to.size(); ++i) to[i] = session.trial_[i] - from[i];
+  const auto y = coordinates(state);
+  const auto dy = coordinates(correction);
+  if (!session.correct_trial(s, y)) {
+    session.take_care();
+    return 1;
+  }
+  for (std::size_t i = 0; i < dy.size(); ++i) dy[i] = session.trial_[i] - y[i];
   return 0;
 }
 
@@ -132,14 +225,14 @@ bool CvodeSession::depart(const Departure& departure) {
   const double care = std::pow(kCareFactor, -departure.care);
   contour_ = departure.contour;
   path_.set_frame(departure.frame.get());
-  rtol_ = options_.rtol * care;
+  loosest_rtol_ = rtol_ = options_.rtol * care;
   newton_ = CorrectorOptions{};
   newton_.largest_correction *= care;
   const auto x = coordinates(memory_.state());
   const double norm = euclidean_norm(departure.x);
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = departure.x[i] / norm;
   if (!path_.correct(x, contour_.at(0), CorrectorOptions{}, true).converged) return false;
-  linearized_at_ = -1;
+  forget();
   return CVodeReInit(memory_.cvode(), 0, memory_.state()) == CV_SUCCESS &&
          CVodeSetStopTime(memory_.cvode(), 1) == CV_SUCCESS;
 }
@@ -172,7 +265,7 @@ bool CvodeSession::take_samples(const Departure& departure, double previous, dou
     }
     CorrectorOptions polish = newton_;
     polish.tolerance = kSampleTolerance;
-    linearized_at_ = -1;
+    forget();
     if (!path_.correct(sample, contour_.at(at), polish, true).converged) return false;
     arrival.samples.push_back(std::move(sample));
   }
@@ -193,6 +286,7 @@ Journey CvodeSession::step_on(const Departure& departure, const std::atomic<bool
       arrival.s = previous;
       return Journey::step_too_small;
     }
+    ease();
     std::copy(x.begin(), x.end(), arrival.x.begin());
     if (departure.samples > 0 && !take_samples(departure, previous, arrival.s, arrival)) {
       return Journey::off_path;
@@ -207,14 +301,14 @@ Journey CvodeSession::step_on(const Departure& departure, const std::atomic<bool
       CVodeGetLastOrder(memory_.cvode(), &record.order);
       record.drift = last_correction_.residual;
       record.correction = last_correction_.first;
-      linearized_at_ = -1;
+      forget();
       if (departure.watcher->watch(record, path_) == Watcher::Verdict::stop && arrival.s < 1) {
         return Journey::stopped;
       }
     }
   }
   if (!projects()) {
-    linearized_at_ = -1;
+    forget();
     if (!path_.correct(arrival.x, contour_.at(1), CorrectorOptions{}, true).converged) {
       return Journey::off_path;
     }

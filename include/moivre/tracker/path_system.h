@@ -54,7 +54,8 @@ struct CorrectorOptions {
   double largest_contraction = 0.25;  ///< |dx_k+1|_w / |dx_k|_w above which Newton is refused
   double stagnation = 1e-6;           ///< |dx|_w that passes where rounding stops the contraction
   int maximum_iterations = 8;
-  bool fine = false;  ///< residuals in double-double from the first one on
+  bool renews = false;  ///< J factored anew for every correction; the tangent is the last one's
+  bool fine = false;    ///< residuals in double-double from the first one on
 };
 
 struct Correction {
@@ -94,7 +95,8 @@ class PathSystem {
 
   /// Newton from x at fixed t, x replaced. Simplified: the factors of the last linearize() serve as
   /// long as they contract;
-  /// they are renewed once when they do not, and at the start when `fresh`.
+  /// they are renewed once when they do not, and at the start when `fresh`. Where the options renew
+  /// them for every correction, x is accepted where the next one would be within the tolerance.
   Correction correct(std::span<Complex> x, const PathTime& t, const CorrectorOptions& options,
                      bool fresh) noexcept;
 
