@@ -221,27 +221,37 @@ void drop_proofs_within_rounding(const Formulation& formulation, RootProver& pro
   }
 }
 
-/// Simple roots of the rounded polynomials that are no farther apart than rounding moves a double
-/// root, none of them proved of the mechanism as typed, are a cluster: two closures, or none, or
-/// one as often. Of redundant equations nothing is proved, and at a dead point rounding alone says
-/// whether two roots are real.
-void merge_unproved(ClosureSearch& search) {
-  // What rounding to double leaves of the distance of two roots: its square root.
-  constexpr double kApart = 1e-7;
+/// Whether the midpoint of two roots is a root but for rounding: then rounding may have made them of
+/// one, or of none, by what it does to a double root.
+bool may_be_one(const Formulation& formulation, const ResidualOfRoots& residual, const Point& a,
+                const Point& b) {
+  // Farther apart than the square root of rounding by far.
+  constexpr double kFarApart = 1e-4;
+  // What the rounding of a file's numbers, and of frames made of them, leaves in an equation.
+  constexpr double kOfCoefficients = 1e-14;
+  if (apart(formulation, a, b) > kFarApart) return false;
+  Point midpoint(a.size());
+  for (std::size_t v = 0; v < a.size(); ++v) midpoint[v] = 0.5 * (a[v] + b[v]);
+  return residual(midpoint) <= kOfCoefficients;
+}
+
+/// Roots of the rounded polynomials that rounding may have made of a double root, none of them
+/// proved of the mechanism as typed, are a cluster: two closures, or none, or one as often. Of
+/// redundant equations nothing is proved, and at a dead point rounding alone says whether two roots
+/// are real.
+void merge_unproved(ClosureSearch& search, const ResidualOfRoots& residual) {
   std::vector<Solution>& roots = search.result.solutions;
   const auto is_unproved = [](const Solution& root) {
-    if (root.singular) return root.cluster && root.certified != true;
-    return root.certified ? !*root.certified : may_be_several(root);
+    return root.certified != true && (!root.singular || root.cluster);
   };
   for (std::size_t i = 0; i < roots.size(); ++i) {
     for (std::size_t j = i + 1; j < roots.size();) {
-      const bool are_unproved = is_unproved(roots[i]) && is_unproved(roots[j]);
-      const double gap =
-          are_unproved ? apart(search.formulation, roots[i].x, roots[j].x) : 2 * kApart;
-      if (gap > kApart) {
+      if (!is_unproved(roots[i]) || !is_unproved(roots[j]) ||
+          !may_be_one(search.formulation, residual, roots[i].x, roots[j].x)) {
         ++j;
         continue;
       }
+      const double gap = apart(search.formulation, roots[i].x, roots[j].x);
       roots[i].radius = std::max(roots[i].radius, max_distance(roots[i].x, roots[j].x));
       for (std::size_t k = 0; k < roots[i].x.size(); ++k) {
         roots[i].x[k] = 0.5 * (roots[i].x[k] + roots[j].x[k]);
@@ -401,7 +411,7 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   drop_proofs_within_rounding(search.formulation, prover, run.roots);
   const ResidualOfRoots residual(search.formulation);
   for (const PartialRoot& root : run.roots) take_root(search, root, residual, prover);
-  merge_unproved(search);
+  merge_unproved(search, residual);
   search.unproved = static_cast<std::uint64_t>(
       std::count_if(result.solutions.begin(), result.solutions.end(), [](const Solution& solution) {
         return solution.certified == false && may_be_several(solution);

@@ -205,8 +205,8 @@ void judge_ends(Run& run, Unproved unproved) {
   std::vector<Root> roots = judged_roots(run);
   for (std::size_t k = 0; k < roots.size(); ++k) {
     const auto& [path, end] = run.ends[k];
-    const bool is_root =
-        roots[k].point.simple || (!run.setting.hides_terms() && is_known_singular(roots[k]));
+    const bool hides_terms = run.setting.hides_terms(run.ledger.precision(path));
+    const bool is_root = roots[k].point.simple || (!hides_terms && is_known_singular(roots[k]));
     if (!is_root && unproved == Unproved::agrees && is_where_it_was(run, path, roots[k])) continue;
     keep_sheet(run, path, end);
     if (is_root) {

@@ -11,10 +11,23 @@
 namespace moivre {
 namespace {
 
-// From this spread of an equation's coefficients on (as log2) the smallest terms are noise, and
-// ends at multiple roots and on sets may be those of the system without them. Ends at infinity may
-// not: their faces have every term.
-constexpr double kHopelessSpread = 36;
+// Where the spread of an equation's coefficients leaves its smallest terms fewer bits than these,
+// they are noise to who followed the path, and ends at multiple roots and on sets may be those of
+// the system without them. Ends at infinity may not: their faces have every term.
+constexpr double kBitsOfTerms = 17;
+
+double bits_of(PathPrecision precision) {
+  switch (precision) {
+    case PathPrecision::double_precision:
+    case PathPrecision::mixed:
+      return 53;
+    case PathPrecision::double_double:
+      return 106;
+    case PathPrecision::multiprecision:
+      return 332;
+  }
+  return 0;
+}
 
 std::unique_ptr<Tracker> in_double_double(const Tracker& tracker, const Tracker* fallback) {
   auto own = tracker.in_double_double();
@@ -51,7 +64,9 @@ Setting::Setting(const System& system, Prepared the_prepared, const Tracker& tra
   endgame.goes_back = true;
 }
 
-bool Setting::hides_terms() const { return prepared.spread_log2 > kHopelessSpread; }
+bool Setting::hides_terms(PathPrecision precision) const {
+  return prepared.spread_log2 > bits_of(precision) - kBitsOfTerms;
+}
 
 const Tracker& Setting::tracker() const {
   if (!is_fine()) return trackers.first;

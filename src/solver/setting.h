@@ -53,9 +53,9 @@ struct Setting {
 
   /// Every path in double-double from the start.
   bool is_fine() const { return options.precision == Precision::double_double; }
-  /// Terms that no coordinate tells: only a simple root, proved on the system as given, says
-  /// something about the system.
-  bool hides_terms() const;
+  /// Terms that no path of that precision tells: only a simple root, proved on the system as given,
+  /// says something about the system.
+  bool hides_terms(PathPrecision precision) const;
   /// Who follows all paths at first.
   const Tracker& tracker() const;
   bool falls_back(int care) const;
