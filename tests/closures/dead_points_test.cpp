@@ -205,6 +205,55 @@ length = )toml") + rod);
   }
 }
 
+// A flat loop of which one equation is spare: two complex roots 5e-8 apart, of a condition of 5e6.
+// It was said that it cannot be assembled.
+TEST(NearADeadPoint, OfRedundantEquationsRootsWhoseMidpointIsARootButForRoundingAreACluster) {
+  const std::string text = R"toml(
+space = "spatial"
+[ground.points]
+P0 = [-40.0, 0.0, 0.0]
+P7 = [20.0, 0.0, 0.0]
+[body.b1.points]
+P1 = [-40.0, 0.0, 0.0]
+P2 = [-60.0, 0.0, 0.0]
+[body.b2.points]
+P3 = [-60.0, 0.0, 0.0]
+P4 = [0.0, 0.0, 0.0]
+[body.b3.points]
+P5 = [6.0, 0.0, 8.0]
+P6 = [20.0, 0.0, 0.0]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.P0", "b1.P1"]
+axis = [0.0, 0.0, 1.0]
+[[joint]]
+type = "spherical"
+name = "j1"
+at = ["b1.P2", "b2.P3"]
+[[joint]]
+type = "cylindrical"
+name = "j2"
+at = ["b2.P4", "b3.P5"]
+axis = [0.6, 0.0, 0.8]
+[[joint]]
+type = "revolute"
+name = "j3"
+at = ["b3.P6", "ground.P7"]
+axis = [0.6, 0.0, 0.8]
+[[driver]]
+angle = "j0"
+start = 0.0
+)toml";
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ClosureResult result = closures_of(mechanism_text(text), seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    ASSERT_EQ(result.closures.size(), 1U) << result.message;
+    EXPECT_TRUE(result.closures[0].is_drawn);
+    EXPECT_EQ(result.closures[0].multiplicity, 2U);
+  }
+}
+
 // A flat loop: its two real roots are farther apart than rounding of their numbers, and Newton's
 // method comes from both to the flat pose.
 TEST(NearADeadPoint, TwoRootsThatComeToOneSingularPoseAreOneClosure) {

@@ -12,6 +12,7 @@
 #include "moivre/certify/certifier.h"
 #include "moivre/multiprecision/reference_roots.h"
 #include "moivre/polynomial/square_up.h"
+#include "moivre/solver/trace.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 #include "problem_set.h"
 
@@ -224,6 +225,19 @@ TEST(CyclicNine, HasAllItsRootsAndEveryPathIsDecided) {
   std::map<std::uint64_t, std::size_t> roots;
   for (const Solution& root : result.solutions) ++roots[root.multiplicity];
   EXPECT_EQ(roots, (std::map<std::uint64_t, std::size_t>{{1, 5994}, {4, 162}}));
+}
+
+// Winding numbers of nine and more: all circles are near singular points, where Newton's method
+// refuses what CVODE's tolerance allows. It took 60000 steps a path, and failed.
+TEST(CyclicNine, PathsToInfinityTakeCvodeFewSteps) {
+  const std::atomic<bool> go_on{false};
+  const System f = cyclic(9);
+  const auto tracker = make_cvode_tracker();
+  for (const std::uint64_t path : {37U, 67U, 191U, 218U, 276U, 319U, 363U, 507U, 516U, 567U}) {
+    const Trace trace = trace_path(f, *tracker, test::with_seed(1), path, go_on);
+    EXPECT_EQ(trace.end.status, PathStatus::at_infinity) << path;
+    EXPECT_LT(trace.end.count.accepted, 4000U) << path;
+  }
 }
 
 /// The discretized H-equation: 2 n H_i - c H_i (1 + sum_j i/(i+j) H_j) - 2 n, j = 1..n-1

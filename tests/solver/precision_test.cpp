@@ -170,6 +170,21 @@ TEST(Precision, ASingularRootStaysOneInDoubleDouble) {
   }
 }
 
+// Beside a far line, with terms 2^-45 of others: double takes these for noise, double-double tells
+// them.
+TEST(Precision, WhatTermsDoubleHidesFinerPathsTell) {
+  const System f =
+      test::read("2\n (x - y - 67)*(x^2 - 4/10^16)*(x - 3);\n (x - y - 67)*(y + 7/4)*(y - 4/5);\n");
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const SolveResult result = solve_with(f, Precision::automatic, seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_EQ(result.solutions.size(), 6U);
+    EXPECT_GT(result.paths.on_positive_dimensional, 0U);
+    EXPECT_FALSE(solve_with(f, Precision::double_precision, seed).complete);
+  }
+}
+
 TEST(Precision, EachRungHasAName) {
   EXPECT_EQ(to_string(PathPrecision::double_precision), "double");
   EXPECT_EQ(to_string(PathPrecision::mixed), "mixed");
