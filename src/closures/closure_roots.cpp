@@ -95,12 +95,15 @@ double residual_when_polished(const Formulation& formulation, Point root) {
   return residual_of_root(formulation, root);
 }
 
+bool has_spare_equations(const Formulation& formulation) {
+  return formulation.system.polynomials.size() > formulation.system.variables.size();
+}
+
 /// Whether the root satisfies every equation. Spare ones that hold to nine digits do not hold.
 bool holds(const Formulation& formulation, const Solution& solution) {
   if (solution.residual > tolerance_of(solution)) return false;
-  const bool has_spare =
-      formulation.system.polynomials.size() > formulation.system.variables.size();
-  if (!has_spare || solution.singular || solution.residual <= kRounding) return true;
+  if (!has_spare_equations(formulation) || solution.singular || solution.residual <= kRounding)
+    return true;
   return residual_when_polished(formulation, solution.x) <= kRounding;
 }
 
@@ -166,8 +169,7 @@ void take_root(ClosureSearch& search, const PartialRoot& root, const ResidualOfR
       distance_from_real(search.formulation, solution.x) <= tolerance_of(solution);
   // Where there are spare equations the proof is one of those that were solved: of numbers that
   // contradict each other by rounding it may say that a closure is not real.
-  const System& system = search.formulation.system;
-  const bool has_spare = system.polynomials.size() > system.variables.size();
+  const bool has_spare = has_spare_equations(search.formulation);
   solution.real = proved && !has_spare ? proved->real.value_or(is_near_real) : is_near_real;
   if (!solution.real && search.mechanism.fit) note_near_miss(search, solution, false);
   if (search.has_proofs()) solution.certified = proved && proved->real == solution.real;
@@ -221,33 +223,50 @@ void drop_proofs_within_rounding(const Formulation& formulation, RootProver& pro
   }
 }
 
-/// Whether the midpoint of two roots is a root but for rounding: then rounding may have made them of
-/// one, or of none, by what it does to a double root.
-bool may_be_one(const Formulation& formulation, const ResidualOfRoots& residual, const Point& a,
+/// Whether the mechanism, as it is typed, closes in the root's pose and stands still there.
+bool stands_still(const ClosureSearch& search, const Point& root) {
+  const double t = search.options.time;
+  const NewtonResult pose = newton(search.phi, coordinates_of_root(search.formulation, root), t);
+  return closes(search, pose) &&
+         !moves_at(search.phi, search.phi.canonical(pose.q), t, search.options.solve.seed);
+}
+
+/// Rounding of frames, or in redundant equations of the file's numbers, moves roots.
+bool is_rounded(const Formulation& formulation) {
+  return formulation.has_rounded_frames || has_spare_equations(formulation);
+}
+
+/// Whether the midpoint of two roots is a root but for rounding, and no point of a set: then
+/// rounding may have made them of one, or of none, by what it does to a double root.
+bool may_be_one(const ClosureSearch& search, const ResidualOfRoots& residual, const Point& a,
                 const Point& b) {
   // Farther apart than the square root of rounding by far.
   constexpr double kFarApart = 1e-4;
-  // What the rounding of a file's numbers, and of frames made of them, leaves in an equation.
+  // What rounding leaves in an equation: of the solution alone, or of a file's numbers and of what
+  // frames are made of.
+  constexpr double kOfSolution = 1e-15;
   constexpr double kOfCoefficients = 1e-14;
-  if (apart(formulation, a, b) > kFarApart) return false;
+  if (apart(search.formulation, a, b) > kFarApart) return false;
   Point midpoint(a.size());
   for (std::size_t v = 0; v < a.size(); ++v) midpoint[v] = 0.5 * (a[v] + b[v]);
-  return residual(midpoint) <= kOfCoefficients;
+  const double rounding = is_rounded(search.formulation) ? kOfCoefficients : kOfSolution;
+  return residual(midpoint) <= rounding && stands_still(search, midpoint);
 }
 
-/// Roots of the rounded polynomials that rounding may have made of a double root, none of them
-/// proved of the mechanism as typed, are a cluster: two closures, or none, or one as often. Of
-/// redundant equations nothing is proved, and at a dead point rounding alone says whether two roots
-/// are real.
+/// Roots that rounding may have made of a double root, none of them proved of the mechanism as
+/// typed, are a cluster: two closures, or none, or one as often. At a dead point rounding alone
+/// says whether two roots are real: that of the solution, of which the condition tells, or that of
+/// frames, and in redundant equations that of the file's numbers.
 void merge_unproved(ClosureSearch& search, const ResidualOfRoots& residual) {
   std::vector<Solution>& roots = search.result.solutions;
-  const auto is_unproved = [](const Solution& root) {
-    return root.certified != true && (!root.singular || root.cluster);
+  const auto is_unproved = [&](const Solution& root) {
+    if (root.certified == true) return false;
+    return root.singular ? root.cluster : is_rounded(search.formulation) || may_be_several(root);
   };
   for (std::size_t i = 0; i < roots.size(); ++i) {
     for (std::size_t j = i + 1; j < roots.size();) {
       if (!is_unproved(roots[i]) || !is_unproved(roots[j]) ||
-          !may_be_one(search.formulation, residual, roots[i].x, roots[j].x)) {
+          !may_be_one(search, residual, roots[i].x, roots[j].x)) {
         ++j;
         continue;
       }
@@ -346,16 +365,6 @@ void merge_pairs(const Formulation& formulation, std::vector<PartialRoot>& roots
   }
 }
 
-/// Whether the mechanism, as it is typed, stands still in the pose of a real multiple root.
-bool stands_still(const ClosureSearch& search, const PartialRoot& root) {
-  if (!root.singular || !may_be_real(search.formulation, root)) return false;
-  const double t = search.options.time;
-  const Eigen::VectorXd guess = coordinates_of_root(search.formulation, values_of(root));
-  const NewtonResult pose = newton(search.phi, guess, t);
-  return closes(search, pose) &&
-         !moves_at(search.phi, search.phi.canonical(pose.q), t, search.options.solve.seed);
-}
-
 /// Roots that rounding moves as far as it likes are points of a set: rounding of the coefficients,
 /// or of the roots of the blocks before, where no proof knows these exactly. A multiple root has
 /// its own judges, or its pose judges: at a dead point in space it stands still.
@@ -364,7 +373,9 @@ void take_off_sets(const ClosureSearch& search, const Formulation& formulation, 
   std::erase_if(run.roots, [&](const PartialRoot& root) {
     const bool is_known =
         formulation.is_exact && (root.proof != nullptr || root.isolated || root.singular);
-    if (root.condition < kUndetermined || is_known || stands_still(search, root)) return false;
+    if (root.condition < kUndetermined || is_known) return false;
+    const bool may_be_pose = root.singular && may_be_real(search.formulation, root);
+    if (may_be_pose && stands_still(search, values_of(root))) return false;
     run.moves = true;
     run.may_move = run.may_move || may_be_real(formulation, root);
     return true;
