@@ -254,6 +254,15 @@ const Lie kLies[] = {
        r["bound"] = nullptr;
      },
      ClaimKind::completeness},
+    {"two roots that double does not part called a double one", "near-pairs",
+     [](Json& r) {
+       r["solutions"].erase(1);
+       root(r, 1).update({{"multiplicity", 2}, {"singular", true}, {"winding", {2}}});
+       root(r, 1)["certified"] = nullptr;
+       r["completeness"] = "shown";
+       r["bound"] = nullptr;
+     },
+     ClaimKind::multiplicity, 1},
     {"a bound of another value", "near-pairs", [](Json& r) { raise(r["bound"]["value"]); },
      ClaimKind::bound},
     {"a bound of another kind", "near-pairs", [](Json& r) { r["bound"]["kind"] = "elimination"; },
