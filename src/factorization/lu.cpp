@@ -6,19 +6,13 @@
 #include <limits>
 #include <utility>
 
+#include "moivre/numeric/unit_scale.h"
+
 namespace moivre {
 
 Lu::Lu(std::size_t n) : n_(n), a_(n * n), row_scale_(n, 1.0), pivot_(n), reciprocal_(n), work_(n) {}
 
 namespace {
-
-/// Power of two that brings `size` into [1/2, 1); 1 where that is impossible.
-double power_of_two_scale(double size) {
-  if (!(size > 0) || !std::isfinite(size)) return 1;
-  int exponent = 0;
-  std::frexp(size, &exponent);
-  return std::ldexp(1.0, std::clamp(-exponent, -1000, 1000));
-}
 
 /// row -= factor * pivot_row over [begin, end).
 void eliminate_row(Complex* row, const Complex* pivot_row, Complex factor, std::size_t begin,

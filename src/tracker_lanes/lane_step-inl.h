@@ -10,6 +10,8 @@
 //
 // A step of length 0 is a Newton correction of the point at hand. |.|_w as in
 // tracker/path_system.h, at x_p.
+// An equation of degree d at a point of norm 1 in N coordinates may be as small as N^(-d/2): of
+// those whose rows double could then not square, each row is brought to about 1 by a power of two.
 #if defined(MOIVRE_LANE_STEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MOIVRE_LANE_STEP_INL_H_
 #undef MOIVRE_LANE_STEP_INL_H_
@@ -17,13 +19,20 @@
 #define MOIVRE_LANE_STEP_INL_H_
 #endif
 
+#include <cmath>
+#include <vector>
+
 #include "lane_homotopy-inl.h"
 #include "lane_path-inl.h"
+#include "moivre/numeric/unit_scale.h"
 #include "moivre/tracker/path_system.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace moivre {
 namespace HWY_NAMESPACE {
+
+/// log2 of a size whose square, and a little less, is a normal double.
+inline constexpr double kLeastSquaredLog2 = -480;
 
 template <class R>
 class LaneStep {
@@ -38,7 +47,14 @@ class LaneStep {
         ht_(n_ + 1),
         weights_(n_ + 1),
         corrected(n_ + 1),
-        tangent(n_ + 1) {}
+        tangent(n_ + 1) {
+    const std::vector<std::uint64_t> degree = degrees(homotopy.support());
+    const double size_log2 = -0.5 * std::log2(static_cast<double>(n_ + 1));
+    for (std::size_t i = 0; i < n_; ++i) {
+      const bool is_small = static_cast<double>(degree[i]) * size_log2 < kLeastSquaredLog2;
+      if (is_small) small_rows_.push_back({i, {}});
+    }
+  }
 
   /// Of the path in `lane`, where the homotopy is framed.
   void set_frame(std::size_t lane, const FramePointer& frame) { homotopy_.set_frame(lane, frame); }
@@ -51,6 +67,7 @@ class LaneStep {
     homotopy_.move(time);
     homotopy_.linearize(x, time, h_, lu_, ht_);
     measure_residual();
+    for (SmallRow& row : small_rows_) bring_to_one(row);
     append_patch(path, time);
     lu_.factor();
     find_weights(x);
@@ -58,6 +75,7 @@ class LaneStep {
     store_real(weighted(h_), first.at);
     add(h_, x);
     homotopy_.expand(x, tangent, time, h_, ht_);
+    for (const SmallRow& row : small_rows_) bring_sides_to_one(row);
     negate(h_);
     negate(ht_);
     lu_.solve(h_, ht_);
@@ -84,6 +102,30 @@ class LaneStep {
   }
 
  private:
+  struct SmallRow {
+    std::size_t i;
+    LaneReals scale;
+  };
+
+  void bring_to_one(SmallRow& row) {
+    V largest = zeros();
+    for (std::size_t j = 0; j <= n_; ++j) {
+      const LaneComplex<R> a = load(lu_.at(row.i, j));
+      largest = larger(largest, larger(hn::Abs(rounded(a.re)), hn::Abs(rounded(a.im))));
+    }
+    store_real(largest, row.scale.at);
+    for (double& lane : row.scale.at) lane = power_of_two_scale(lane);
+    for (std::size_t j = 0; j <= n_; ++j) {
+      LaneCell<R>& a = lu_.at(row.i, j);
+      store(row.scale.value() * load(a), a);
+    }
+    bring_sides_to_one(row);
+  }
+  void bring_sides_to_one(const SmallRow& row) {
+    store(row.scale.value() * load(h_[row.i]), h_[row.i]);
+    store(row.scale.value() * load(ht_[row.i]), ht_[row.i]);
+  }
+
   void append_patch(const LanePath<R>& path, const LaneTime<R>& time) {
     const LaneComplex<R> dt = time.dt();
     for (std::size_t i = 0; i < n_; ++i) {
@@ -143,6 +185,7 @@ class LaneStep {
   LaneVector<R> h_;
   LaneVector<R> ht_;
   LaneVector<V> weights_;
+  std::vector<SmallRow> small_rows_;
 
  public:
   LaneVector<R> corrected;  ///< x_2

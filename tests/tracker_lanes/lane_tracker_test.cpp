@@ -74,6 +74,16 @@ TEST(LaneTracker, EveryPathOfTwoCubicsArrivesOnTheTarget) {
   }
 }
 
+// At a point of norm 1 the equation is 3^-400, whose square no double holds.
+TEST(LaneTracker, APathOfHighDegreeArrives) {
+  Scene scene("2\nx^800 - 1; y^3 - x - 2;\n");
+  const auto arrivals = run(scene, {scene.departure(0), scene.departure(1), scene.departure(999)});
+  ASSERT_EQ(arrivals.size(), 3u);
+  for (const auto& [path, arrival] : arrivals) {
+    EXPECT_EQ(arrival.journey, Journey::arrived) << path;
+  }
+}
+
 TEST(LaneTracker, JourneysDependNeitherOnNeighboursNorOnTheLane) {
   Scene scene(kCubics);
   const auto together = run(scene, all_departures(scene));
