@@ -50,13 +50,14 @@ struct Shadow {
 };
 
 /// Of all certificates that hold a root, in the order of their lower ends.
-std::vector<Shadow> shadows(std::span<const Certificate> certificates, std::uint64_t seed) {
+std::vector<Shadow> shadows(std::span<const Certificate* const> certificates,
+                            std::uint64_t seed) {
   std::vector<double> sizes;
-  for (const Certificate& c : certificates) {
-    if (!c.holds_root()) continue;
-    sizes.resize(c.midpoint.size());
+  for (const Certificate* c : certificates) {
+    if (!c->holds_root()) continue;
+    sizes.resize(c->midpoint.size());
     for (std::size_t j = 0; j < sizes.size(); ++j) {
-      sizes[j] = std::max(sizes[j], modulus(c.midpoint[j]));
+      sizes[j] = std::max(sizes[j], modulus(c->midpoint[j]));
     }
   }
   // Every coordinate counts alike.
@@ -67,7 +68,7 @@ std::vector<Shadow> shadows(std::span<const Certificate> certificates, std::uint
   }
   std::vector<Shadow> result;
   for (std::size_t k = 0; k < certificates.size(); ++k) {
-    const Certificate& c = certificates[k];
+    const Certificate& c = *certificates[k];
     if (!c.holds_root()) continue;
     // The share of each term covers its rounding, that of the sum, and the parts of the midpoint
     // beyond double.
@@ -99,7 +100,7 @@ void join(std::vector<std::size_t>& first_of, const IndexPair& pair) {
 
 /// Drops doubts that chains of the same pairs settle, and counts the roots; what is in doubt counts
 /// as one.
-void settle(std::span<const Certificate> certificates, Distinctness& result) {
+void settle(std::span<const Certificate* const> certificates, Distinctness& result) {
   for (std::size_t& first : result.first_of) first = root_of(result.first_of, first);
   std::erase_if(result.doubtful, [&](const IndexPair& pair) {
     return result.first_of[pair.first] == result.first_of[pair.second];
@@ -109,7 +110,7 @@ void settle(std::span<const Certificate> certificates, Distinctness& result) {
   std::vector<std::size_t> first_of = result.first_of;
   for (const IndexPair& pair : result.doubtful) join(first_of, pair);
   for (std::size_t k = 0; k < certificates.size(); ++k) {
-    if (certificates[k].holds_root() && first_of[k] == k) ++result.distinct_roots;
+    if (certificates[k]->holds_root() && first_of[k] == k) ++result.distinct_roots;
   }
 }
 
@@ -127,6 +128,13 @@ Relation relation(const Certificate& a, const Certificate& b) {
 }
 
 Distinctness compare(std::span<const Certificate> certificates, std::uint64_t seed) {
+  std::vector<const Certificate*> all;
+  all.reserve(certificates.size());
+  for (const Certificate& c : certificates) all.push_back(&c);
+  return compare(all, seed);
+}
+
+Distinctness compare(std::span<const Certificate* const> certificates, std::uint64_t seed) {
   Distinctness result;
   result.first_of.resize(certificates.size());
   std::iota(result.first_of.begin(), result.first_of.end(), std::size_t{0});
@@ -136,7 +144,7 @@ Distinctness compare(std::span<const Certificate> certificates, std::uint64_t se
     std::erase_if(active, [&](const Shadow& s) { return s.most < next.least; });
     for (const Shadow& s : active) {
       const IndexPair pair = std::minmax(s.index, next.index);
-      const Relation found = relation(certificates[pair.first], certificates[pair.second]);
+      const Relation found = relation(*certificates[pair.first], *certificates[pair.second]);
       if (found == Relation::doubtful) result.doubtful.push_back(pair);
       if (found != Relation::same) continue;
       result.same.push_back(pair);

@@ -34,7 +34,7 @@ std::vector<int> windings(const Run& run, const std::vector<std::uint64_t>& grou
 }
 
 /// Which solution each path of the ledger leads to.
-void enter_places(const std::vector<std::vector<std::uint64_t>>& groups, SolveResult& result) {
+void enter_places(const PathGroups& groups, SolveResult& result) {
   std::map<std::uint64_t, std::uint32_t> place_of;
   for (const Solution& root : result.solutions) {
     place_of.emplace(root.path, static_cast<std::uint32_t>(place_of.size()));
@@ -49,7 +49,7 @@ void enter_places(const std::vector<std::vector<std::uint64_t>>& groups, SolveRe
 /// What a run comes to in the end: the roots, what has failed, and the paths of which it was not
 /// found out what they end at.
 struct Outcome {
-  std::vector<std::vector<std::uint64_t>> groups;
+  PathGroups groups;
   std::vector<FailedPath> failures;
   std::vector<std::uint64_t> open;
 };
@@ -127,17 +127,33 @@ Solution point_of_set(const Run& run, const std::vector<std::uint64_t>& group) {
   return point;
 }
 
-void enter_solutions(const Run& run, const std::vector<std::vector<std::uint64_t>>& groups,
-                     SolveResult& result) {
+/// The ends that lie on a set of positive dimension, group by group. Throws Interrupted.
+std::vector<bool> are_on_sets(const Run& run, const PathGroups& groups) {
+  std::vector<bool> result;
+  result.reserve(groups.size());
   for (const auto& group : groups) {
-    result.paths.finite += group.size();
     const Root& first = run.ledger.roots().at(group.front());
-    if (!first.point.simple && is_on_set(run, first)) {
+    result.push_back(!first.point.simple && is_on_set(run, first));
+  }
+  return result;
+}
+
+/// What is told of a root is no longer kept in the ledger: both at once would take twice the
+/// memory.
+void enter_solutions(Run& run, const PathGroups& groups, const std::vector<bool>& on_sets,
+                     SolveResult& result) {
+  const auto sets = std::count(on_sets.begin(), on_sets.end(), true);
+  result.solutions.reserve(groups.size() - static_cast<std::size_t>(sets));
+  for (std::size_t k = 0; k < groups.size(); ++k) {
+    const auto& group = groups[k];
+    result.paths.finite += group.size();
+    if (on_sets[k]) {
       result.paths.on_positive_dimensional += group.size();
       result.on_sets.push_back(point_of_set(run, group));
-      continue;
+    } else {
+      result.solutions.push_back(solution_of(run, group, windings(run, group)));
     }
-    result.solutions.push_back(solution_of(run, group, windings(run, group)));
+    for (const std::uint64_t path : group) run.ledger.release(path);
   }
   const auto by_path = [](const Solution& a, const Solution& b) { return a.path < b.path; };
   std::sort(result.solutions.begin(), result.solutions.end(), by_path);
@@ -262,19 +278,21 @@ void put_in_doubt(SolveResult& result, std::string why) {
   if (result.completeness) result.completeness = RootCompleteness::open;
 }
 
-void close_account(const Run& run, SolveResult& result) {
+void close_account(Run& run, SolveResult& result) {
   require_all_entries(run);
   result.ledger = run.ledger.records();
   Outcome outcome = run.interrupted ? outcome_so_far(run) : outcome_of(run);
+  const std::vector<bool> on_sets = are_on_sets(run, outcome.groups);
+  const bool lacks_image =
+      !run.bounds.met && is_real(run.setting.f) && !missing_conjugates(run.ledger).empty();
+  const auto proved = run.interrupted ? std::nullopt : roots_to_compare(run);
   enter_verdicts(outcome, result);
-  enter_solutions(run, outcome.groups, result);
+  enter_solutions(run, outcome.groups, on_sets, result);
   count_paths(result.ledger, result.paths);
   result.failures = std::move(outcome.failures);
   result.work = run.work;
-  const bool lacks_image =
-      !run.bounds.met && is_real(run.setting.f) && !missing_conjugates(run.ledger).empty();
   const bool all_decided = result.paths.failed == 0 && !lacks_image;
-  auto doubt = run.interrupted ? std::nullopt : contradiction_by_algebra(run, result);
+  auto doubt = run.interrupted ? std::nullopt : contradiction_by_algebra(run, proved, result);
   if (!doubt) doubt = doubt_of_start(run);
   result.complete = !run.interrupted && all_decided && !doubt;
   result.message = run.out_of_memory         ? "memory ran out: what is finished is reported"

@@ -118,20 +118,36 @@ std::vector<std::vector<std::uint64_t>> groups_of(const Run& run) {
   return result;
 }
 
-std::uint64_t proved_roots(const Setting& setting,
-                           const std::vector<std::shared_ptr<const Certificate>>& proofs) {
+namespace {
+
+/// Copies are made only where some have to be sharpened.
+std::uint64_t different_roots(const Setting& setting,
+                              const std::vector<const Certificate*>& proofs) {
+  const Distinctness told = compare(proofs, setting.options.seed);
+  if (told.doubtful.empty()) return told.distinct_roots;
   std::vector<Certificate> certificates;
-  for (const auto& proof : proofs) certificates.push_back(*proof);
+  certificates.reserve(proofs.size());
+  for (const Certificate* proof : proofs) certificates.push_back(*proof);
   Certifier certifier(setting.certify_program, certify_options());
   return tell_apart(certifier, certificates, setting.options.seed).distinct_roots;
 }
 
+}  // namespace
+
+std::uint64_t proved_roots(const Setting& setting,
+                           const std::vector<std::shared_ptr<const Certificate>>& proofs) {
+  std::vector<const Certificate*> certificates;
+  certificates.reserve(proofs.size());
+  for (const auto& proof : proofs) certificates.push_back(proof.get());
+  return different_roots(setting, certificates);
+}
+
 std::uint64_t proved_roots(const Run& run) {
-  std::vector<std::shared_ptr<const Certificate>> proofs;
+  std::vector<const Certificate*> certificates;
   for (const auto& [path, root] : run.ledger.roots()) {
-    if (root.certificate) proofs.push_back(root.certificate);
+    if (root.certificate) certificates.push_back(root.certificate.get());
   }
-  return proved_roots(run.setting, proofs);
+  return different_roots(run.setting, certificates);
 }
 
 }  // namespace moivre

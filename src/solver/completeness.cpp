@@ -319,7 +319,14 @@ bool are_as_counted(Run& run) {
   return groups.size() == run.bounds.points;
 }
 
-std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result) {
+std::optional<std::uint64_t> roots_to_compare(const Run& run) {
+  if (!run.bounds.ring.simple) return std::nullopt;
+  return proved_roots(run);
+}
+
+std::optional<std::string> contradiction_by_algebra(const Run& run,
+                                                    std::optional<std::uint64_t> proved,
+                                                    const SolveResult& result) {
   if (run.bounds.lacks_paths && run.setting.prepared.leads_to_all)
     return "fewer paths end at a multiple root than it has to have";
   const QuotientRing& ring = run.bounds.ring;
@@ -329,10 +336,9 @@ std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveR
   const auto is_between = [&](std::uint64_t count, std::uint64_t found) {
     return found <= count && count <= found + hidden;
   };
-  if (const std::uint64_t proved = proved_roots(run);
-      ring.simple && !is_between(*ring.simple, proved)) {
+  if (proved && !is_between(*ring.simple, *proved)) {
     return "exact algebra counts " + counted(*ring.simple, "simple root") + ", those found are " +
-           std::to_string(proved);
+           std::to_string(*proved);
   }
   if (ring.verdict != QuotientRing::Verdict::finite) return std::nullopt;
   if (!result.on_sets.empty())

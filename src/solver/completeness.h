@@ -55,9 +55,15 @@ void look_for_ring(Run& run);
 /// False where algebra has no counts, and where paths end on sets of positive dimension.
 bool are_as_counted(Run& run);
 
+/// So many different roots are proved, where exact algebra counts the simple ones.
+std::optional<std::uint64_t> roots_to_compare(const Run& run);
+
 /// Why the roots told cannot be all and right: an exact root has fewer paths than its multiplicity,
-/// or the dimension of the quotient ring, where it was sought and found, is another.
-std::optional<std::string> contradiction_by_algebra(const Run& run, const SolveResult& result);
+/// or the dimension of the quotient ring, where it was sought and found, is another. proved:
+/// roots_to_compare() of the ledger with these roots.
+std::optional<std::string> contradiction_by_algebra(const Run& run,
+                                                    std::optional<std::uint64_t> proved,
+                                                    const SolveResult& result);
 
 /// Why a start that was given may not lead to every root; nothing where the roots are counted
 /// otherwise.

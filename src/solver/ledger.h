@@ -46,6 +46,8 @@ class Ledger {
   void enter_failure(const FailedPath& failure, Point last = {});
   /// What was seen of its end, a root, is none: something else that is known says so.
   void refute(std::uint64_t path) { refuted_.insert(path); }
+  /// What is known of its end, a root, is told elsewhere; its record stays.
+  void release(std::uint64_t path) { roots_.erase(path); }
   /// Its end lies on a curve.
   void tell_curve(std::uint64_t path) { roots_.at(path).on_set = SetHere::sharp; }
   /// It leads to no root that is not known already: a bound says so.

@@ -31,7 +31,7 @@ class Contradiction : public testing::Test {
                  std::optional<std::uint64_t> points = std::nullopt) {
     run_.bounds.ring = {QuotientRing::Verdict::finite, dimension, std::nullopt, std::nullopt};
     run_.bounds.points = points;
-    return contradiction_by_algebra(run_, result).value_or("");
+    return contradiction_by_algebra(run_, roots_to_compare(run_), result).value_or("");
   }
 
   std::unique_ptr<Tracker> tracker_ = make_cvode_tracker();
@@ -79,7 +79,7 @@ TEST(ExactRootsWithoutPaths, AreNoProofButAContradiction) {
   for (std::uint64_t path = 0; path < 4; ++path) run.ledger.enter_infinity(path, false);
   EXPECT_FALSE(settle_by_bound(run));
   EXPECT_FALSE(settle_by_bound(run));
-  EXPECT_EQ(contradiction_by_algebra(run, SolveResult{}),
+  EXPECT_EQ(contradiction_by_algebra(run, roots_to_compare(run), SolveResult{}),
             "fewer paths end at a multiple root than it has to have");
   for (std::uint64_t path = 0; path < 4; ++path) {
     FailedPath failed;

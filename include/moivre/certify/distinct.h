@@ -40,8 +40,10 @@ struct Distinctness {
   std::size_t distinct_roots = 0;
 };
 
-/// seed: of the random direction; it changes the work, never the result.
+/// seed: of the random direction; it changes the work, never the result. Of certificates that lie
+/// anywhere too: there may be too many to copy.
 Distinctness compare(std::span<const Certificate> certificates, std::uint64_t seed = 1);
+Distinctness compare(std::span<const Certificate* const> certificates, std::uint64_t seed = 1);
 
 /// As compare, but doubtful certificates are sharpened by doubling the precision, up to the
 /// certifier's most_bits.
