@@ -50,8 +50,7 @@ struct Shadow {
 };
 
 /// Of all certificates that hold a root, in the order of their lower ends.
-std::vector<Shadow> shadows(std::span<const Certificate* const> certificates,
-                            std::uint64_t seed) {
+std::vector<Shadow> shadows(std::span<const Certificate* const> certificates, std::uint64_t seed) {
   std::vector<double> sizes;
   for (const Certificate* c : certificates) {
     if (!c->holds_root()) continue;

@@ -2,6 +2,10 @@
 // The closing of the books: solutions from groups of ends, counts, and the verdict.
 #include "account.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -20,6 +24,9 @@ namespace {
 // accuracy comes from; and circles have little margin.
 constexpr double kSingularMargin = 4;
 
+// Some twenty megabytes and more.
+constexpr std::size_t kRootsBetweenPages = 1 << 15;
+
 constexpr std::uint64_t PathCounts::*kCounts[]{
     &PathCounts::tracked,       &PathCounts::finite,        &PathCounts::at_infinity,
     &PathCounts::failed,        &PathCounts::not_needed,    &PathCounts::on_positive_dimensional,
@@ -33,16 +40,17 @@ std::vector<int> windings(const Run& run, const std::vector<std::uint64_t>& grou
   return cycles(run.ledger, group).value_or(std::vector<int>(group.size(), 1));
 }
 
-/// Which solution each path of the ledger leads to.
+/// Which solution each path of the ledger leads to; solutions are in the order of their paths.
 void enter_places(const PathGroups& groups, SolveResult& result) {
-  std::map<std::uint64_t, std::uint32_t> place_of;
-  for (const Solution& root : result.solutions) {
-    place_of.emplace(root.path, static_cast<std::uint32_t>(place_of.size()));
-  }
+  const auto begin = result.solutions.begin();
   for (const auto& group : groups) {
-    const auto place = place_of.find(group.front());
-    if (place == place_of.end()) continue;
-    for (const std::uint64_t path : group) result.ledger[path].solution = place->second;
+    const auto root =
+        std::lower_bound(begin, result.solutions.end(), group.front(),
+                         [](const Solution& a, std::uint64_t path) { return a.path < path; });
+    if (root == result.solutions.end() || root->path != group.front()) continue;
+    for (const std::uint64_t path : group) {
+      result.ledger[path].solution = static_cast<std::uint32_t>(root - begin);
+    }
   }
 }
 
@@ -138,6 +146,14 @@ std::vector<bool> are_on_sets(const Run& run, const PathGroups& groups) {
   return result;
 }
 
+/// Pages that hold nothing any more are given back to the system: what is freed between other
+/// things the C library keeps.
+void give_back_pages() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
+
 /// What is told of a root is no longer kept in the ledger: both at once would take twice the
 /// memory.
 void enter_solutions(Run& run, const PathGroups& groups, const std::vector<bool>& on_sets,
@@ -154,6 +170,7 @@ void enter_solutions(Run& run, const PathGroups& groups, const std::vector<bool>
       result.solutions.push_back(solution_of(run, group, windings(run, group)));
     }
     for (const std::uint64_t path : group) run.ledger.release(path);
+    if (k % kRootsBetweenPages == kRootsBetweenPages - 1) give_back_pages();
   }
   const auto by_path = [](const Solution& a, const Solution& b) { return a.path < b.path; };
   std::sort(result.solutions.begin(), result.solutions.end(), by_path);

@@ -3,7 +3,6 @@
 #include "coincidence.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
 
 #include "moivre/numeric/near_points.h"
@@ -21,12 +20,13 @@ std::size_t root_of(std::vector<std::size_t>& parent, std::size_t k) {
   return k;
 }
 
-}  // namespace
-
-std::vector<std::vector<std::size_t>> coincidence_groups(const std::vector<KnownPoint>& points) {
+/// For each point one of its group, the same for all of them.
+std::vector<std::size_t> one_of_group(const std::vector<KnownPoint>& points) {
   const std::size_t count = points.size();
   std::vector<double> numbers;
   std::vector<double> reach;  // in a number
+  numbers.reserve(count);
+  reach.reserve(count);
   double widest = 0;
   for (const auto& [x, tolerance] : points) {
     numbers.push_back(number_of(*x));
@@ -43,11 +43,25 @@ std::vector<std::vector<std::size_t>> coincidence_groups(const std::vector<Known
       parent[root_of(parent, b)] = root_of(parent, a);
     });
   }
-  std::map<std::size_t, std::vector<std::size_t>> by_root;
-  for (std::size_t k = 0; k < count; ++k) by_root[root_of(parent, k)].push_back(k);
+  for (std::size_t k = 0; k < count; ++k) parent[k] = root_of(parent, k);
+  return parent;
+}
+
+}  // namespace
+
+std::vector<std::vector<std::size_t>> coincidence_groups(const std::vector<KnownPoint>& points) {
+  const std::vector<std::size_t> one_of = one_of_group(points);
+  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> place(points.size(), kNone);  // of the group, by that point
   std::vector<std::vector<std::size_t>> groups;
-  for (auto& [root, group] : by_root) groups.push_back(std::move(group));
-  std::sort(groups.begin(), groups.end());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    std::size_t& own = place[one_of[k]];
+    if (own == kNone) {
+      own = groups.size();
+      groups.emplace_back();
+    }
+    groups[own].push_back(k);
+  }
   return groups;
 }
 

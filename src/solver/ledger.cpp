@@ -96,10 +96,15 @@ std::vector<std::vector<std::uint64_t>> Ledger::groups() const {
     paths.push_back(path);
     points.push_back({&root.point.x, root.tolerance});
   }
+  std::vector<std::vector<std::size_t>> indices = coincidence_groups(points);
+  points = {};
   std::vector<std::vector<std::uint64_t>> groups;
-  for (const auto& indices : coincidence_groups(points)) {
+  groups.reserve(indices.size());
+  for (auto& own : indices) {
     auto& group = groups.emplace_back();
-    for (const std::size_t k : indices) group.push_back(paths[k]);
+    group.reserve(own.size());
+    for (const std::size_t k : own) group.push_back(paths[k]);
+    own = {};
   }
   return groups;
 }
