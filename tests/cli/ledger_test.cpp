@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Does a run that is kept in a ledger survive kill -9 at any moment, and everything else that
-// befalls files?
+// befalls files? A hundred kills, of runs of a fraction of a second; bench/kills has longer ones.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -63,7 +63,7 @@ TEST(KeptRun, ASolveThatIsKilledGoesOnToTheSameBytes) {
   const Scene scene;
   scene.write("f.phc", cyclic(6));
   const Words call{"solve", "f.phc", "--start", "total-degree"};
-  expect_the_same_after_kills(scene, with(call, {"--tracker", "lanes", "--threads", "2"}), 5, 250);
+  expect_the_same_after_kills(scene, with(call, {"--tracker", "lanes", "--threads", "2"}), 6, 250);
   expect_the_same_after_kills(scene, with(call, {"--tracker", "cvode", "--threads", "1"}), 4, 600);
 }
 
@@ -79,6 +79,29 @@ TEST(KeptRun, ASweepThatIsKilledGoesOnToTheSameBytes) {
                               {"sweep", MOIVRE_SOURCE_DIR "/problems/mechanisms/3-rpr.toml",
                                "--vary", "leg 1.length=8:24:6", "--vary", "leg 2.length=8:24:6"},
                               4, 400);
+}
+
+TEST(KeptRun, AMotionThatIsKilledGoesOnToTheSameBytes) {
+  const Scene scene;
+  expect_the_same_after_kills(
+      scene, {"motion", MOIVRE_SOURCE_DIR "/problems/mechanisms/jansen-leg.toml"}, 4, 300);
+}
+
+TEST(KeptRun, PosesThatAreKilledGoOnToTheSameBytes) {
+  const Scene scene;
+  std::mt19937 random(1);
+  const auto part = [&] { return std::to_string(static_cast<int>(random() % 1000) - 500) + "e-3"; };
+  std::string poses = "x,y,z,qw,qx,qy,qz\n";
+  for (int k = 0; k < 300; ++k) {
+    const std::string place = part() + ',' + part() + ',' + part();
+    poses += place + (k % 2 == 0 ? ",0.5,-0.5,0.5,0.5\n" : ",0.1,0.7,-0.1,0.7\n");
+  }
+  scene.write("poses.csv", poses);
+  expect_the_same_after_kills(
+      scene,
+      {"closures", MOIVRE_SOURCE_DIR "/problems/robots/kinova_j2s6s200.urdf", "--tip",
+       "j2s6s200_end_effector", "--poses", "poses.csv"},
+      4, 250);
 }
 
 /// Three quadrics in three unknowns with twelve parameters, and members of them.
