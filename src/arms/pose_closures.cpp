@@ -188,7 +188,7 @@ void explain(PoseSearch& pose) {
   }
   for (const PathsSeen& seen : pose.seen) {
     for (const PlaceOfEnd& end : seen.unpaired) {
-      if (!is_on_plane(end, list)) result.complete = false;
+      if (!is_on_continuation(end, list)) result.complete = false;
     }
     for (const Eigen::VectorXd& place : seen.between_pairs) {
       if (!is_listed(list, place)) enter_meeting(list, place);

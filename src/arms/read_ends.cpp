@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "complex_set.h"
 #include "random_values.h"
 #include "self_motion.h"
 #include "set_place.h"
@@ -202,6 +203,43 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
   return true;
 }
 
+namespace {
+
+/// By the relations of a set, which are real: real and imaginary parts are along the plane.
+bool is_on_plane(const PlaceOfEnd& end, const PostureList& list) {
+  constexpr double kOnPlane = 1e-3;
+  return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
+    const bool is_told = is_exact(set) || set.misfit > kReach;
+    if (set.relations.empty() || !is_told) return false;
+    return is_on(list.arm, set, end.values, kOnPlane) &&
+           is_on(list.arm, set, end.values + end.imaginary, kOnPlane);
+  });
+}
+
+/// Near to a set that is told, or the pose is held on the way to one of its samples.
+bool is_on_told(const PostureList& list, const Eigen::VectorXd& place) {
+  const auto is_near = [&](const Eigen::VectorXd& values) {
+    return hold_between(list, values, place);
+  };
+  return std::any_of(list.moves.begin(), list.moves.end(),
+                     [&](const SelfMotion& set) { return is_on(list.arm, set, place, kNear); }) ||
+         std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
+           return std::any_of(set.samples.begin(), set.samples.end(), is_near);
+         });
+}
+
+}  // namespace
+
+bool is_on_continuation(const PlaceOfEnd& end, PostureList& list) {
+  if (is_on_plane(end, list)) return true;
+  JointVector<Complex> values(end.values.size());
+  for (Eigen::Index k = 0; k < values.size(); ++k) values[k] = {end.values[k], end.imaginary[k]};
+  const auto real = real_place_of(list.arm, list.pose, values, list.accuracy);
+  if (!real) return false;
+  enter(list, *real, false);
+  return is_on_told(list, *real);
+}
+
 bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, ArmResult& result) {
   constexpr double kNotReal = 1e-2, kFarBefore = 0.1, kClearly = 4, kMargin = 10;
   constexpr std::uint64_t kBeside = 16, kBehindOthers = 20'000;
@@ -215,39 +253,22 @@ bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, Ar
     ++result.counts.complex;
     return true;
   }
-  if (stopped_early) return is_on_plane(end, list);
+  if (stopped_early) return is_on_continuation(end, list);
   for (std::uint64_t k = 0; k < kBeside; ++k) {
     const Eigen::VectorXd way = random_joint_values(list.arm, list.seed, kBehindOthers + k);
     enter(list, end.values + kNear / std::numbers::pi * way, false);
   }
   // Where an added joint clearly stands elsewhere, and nothing beside it holds the pose, there is
   // no closure of the arm.
-  return is_at_listed(end, list, seen, result) ||
+  return is_at_listed(end, list, seen, result) || is_on_continuation(end, list) ||
          end.added > std::max(clear, kMargin * list.accuracy);
 }
 
-bool is_on_plane(const PlaceOfEnd& end, const PostureList& list) {
-  constexpr double kOnPlane = 1e-3;
-  return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
-    const bool is_told = is_exact(set) || set.misfit > kReach;
-    if (set.relations.empty() || !is_told) return false;
-    // Relations are real: real and imaginary parts are along the plane.
-    return is_on(list.arm, set, end.values, kOnPlane) &&
-           is_on(list.arm, set, end.values + end.imaginary, kOnPlane);
-  });
-}
-
 bool is_listed(const PostureList& list, const Eigen::VectorXd& place) {
-  const auto is_near = [&](const Eigen::VectorXd& values) {
-    return hold_between(list, values, place);
-  };
-  return std::any_of(list.moves.begin(), list.moves.end(),
-                     [&](const SelfMotion& set) {
-                       return is_on(list.arm, set, place, kNear) ||
-                              std::any_of(set.samples.begin(), set.samples.end(), is_near);
-                     }) ||
-         std::any_of(list.closures.begin(), list.closures.end(),
-                     [&](const ArmClosure& closure) { return is_near(closure.values); });
+  return is_on_told(list, place) ||
+         std::any_of(list.closures.begin(), list.closures.end(), [&](const ArmClosure& closure) {
+           return hold_between(list, closure.values, place);
+         });
 }
 
 }  // namespace moivre

@@ -55,12 +55,13 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
 /// at a singular one that is not real or not the arm's own.
 bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, ArmResult& result);
 
-/// Whether the end is on a plane of postures, or on its continuation into complex numbers: paths
-/// slide along it, as slowly as rounding lets them be followed, and an arm as typed may have more
-/// closures there than the geometry that its digits stand for. All real ones on it are listed, but
-/// for a plane that seems to hold the pose and ends: those of a curve by signs, those of a surface
-/// by Newton's method from places that are nowhere far.
-bool is_on_plane(const PlaceOfEnd& end, const PostureList& list);
+/// Whether the end is on the continuation of a told set into complex numbers: paths slide along it,
+/// as slowly as rounding lets them be followed, and an arm as typed may have more closures there
+/// than the geometry that its digits stand for. Of a plane the relations tell, but for one that
+/// seems to hold the pose and ends; of other sets a way back to real postures (complex_set.h), at
+/// whose end sets are looked for once more. All real closures on it are listed: those of a curve by
+/// signs, those of a surface by Newton's method from places that are nowhere far.
+bool is_on_continuation(const PlaceOfEnd& end, PostureList& list);
 
 /// Whether a place that holds the pose within its accuracy is of a set or a closure that is listed:
 /// near to it, or the pose is held half way, too.

@@ -479,6 +479,27 @@ TEST(PeoplesArmsTest, PathsAlongAPlaneThatIsOpenAreOfIt) {
                read_poses({"pose", "0.088 0 0.926 0 -0.9888 0.1494 0"}).front());
 }
 
+/// Next to home shoulder, elbow and wrist are straight but for so little that a curve holds the
+/// pose as far as its accuracy tells. It is no plane's, and paths stop on its continuation into
+/// complex numbers.
+TEST(PeoplesArmsTest, PathsAlongACurveThatIsBentAreOfIt) {
+  for (const char* const held : {"joint_2", "joint_6"}) {
+    SCOPED_TRACE(held);
+    const Arm arm = made_of({"iiwa14_all_digits", {{held, 0.3}}, {}});
+    std::vector<TypedPose> poses;
+    std::vector<Eigen::VectorXd> own;
+    for (std::uint64_t index = 0; index < 4; ++index) {
+      own.push_back(1e-6 * random_values(arm, 5, index));
+      poses.push_back({forward_kinematics(arm, own.back())});
+    }
+    const std::vector<ArmResult> results = find_arm_closures(arm, poses, lanes(), one_thread());
+    for (std::size_t k = 0; k < results.size(); ++k) {
+      EXPECT_TRUE(results[k].complete) << k << ": " << results[k].message;
+      EXPECT_TRUE(is_told(arm, results[k], own[k], 1e-3)) << k;
+    }
+  }
+}
+
 /// As a file of poses with so many decimals has it.
 TypedPose rounded_pose(const Eigen::Isometry3d& tip, int decimals) {
   const Eigen::Quaterniond turn(tip.linear());
