@@ -135,7 +135,7 @@ PoseSearch begin_search(const PreparedArm& prepared, const TypedPose& at, const 
   result.complete = prepared.is_complete;
   result.accuracy = std::max(kReach, at.accuracy * std::max(1.0, 1 / arm.length));
   take_account(prepared, tracker, result);
-  PostureList list{arm, at.pose, result.accuracy, prepared.seed, {}, {}, {}, {}};
+  PostureList list{arm, at.pose, result.accuracy, prepared.seed, {}, {}, {}, {}, {}};
   return {prepared, std::move(list), std::move(result),
           std::vector<PathsSeen>(prepared.beginnings.size())};
 }

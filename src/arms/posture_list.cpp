@@ -217,6 +217,7 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
   for (const double accuracy : accuracies) {
     if (!list.follows_digits || sigma > accuracy / kReachesFar) continue;
     if (set_of(list, closure.values, is_any)) return std::nullopt;
+    list.followed.push_back({closure.values, accuracy});
     auto traced = trace_set(list.arm, list.pose, closure.values, accuracy, list.seed, list.moves);
     if (!traced) continue;
     return add_open(list, std::move(*traced));
@@ -257,12 +258,18 @@ int dimension_told(const PostureList& list, const Eigen::VectorXd& values, doubl
   return largest;
 }
 
-/// The sets through the posture, where as many directions are open as `weak`.
+/// The sets through the posture, where as many directions are open as `weak`, but for what was
+/// followed already.
 std::vector<TracedSet> sets_through(const PostureList& list, const Eigen::VectorXd& values,
                                     int weak, double accuracy) {
   if (weak > 1)
     return trace_branches(list.arm, list.pose, values, weak, accuracy, list.seed, list.moves);
   std::vector<TracedSet> sets;
+  const bool is_known = std::any_of(
+      list.followed.begin(), list.followed.end(), [&](const FollowedFrom& followed) {
+        return followed.accuracy == accuracy && followed.values == values;
+      });
+  if (is_known) return sets;
   auto traced = trace_set(list.arm, list.pose, values, accuracy, list.seed, list.moves);
   if (traced) sets.push_back(std::move(*traced));
   return sets;

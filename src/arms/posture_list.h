@@ -17,6 +17,12 @@
 
 namespace moivre {
 
+/// From a posture, within an accuracy.
+struct FollowedFrom {
+  Eigen::VectorXd values;
+  double accuracy = 0;
+};
+
 struct PostureList {
   const Arm& arm;
   Eigen::Isometry3d pose;
@@ -28,6 +34,8 @@ struct PostureList {
   /// Places that hold the pose within its accuracy, but not to rounding as postures of six joints
   /// do: of a set that is not told yet, or next to a closure.
   std::vector<Eigen::VectorXd> places;
+  /// Sets that were looked for, whether there was one or not.
+  std::vector<FollowedFrom> followed;
   /// Not from closures that such a set has led to: they are on it, and a surface has a curve
   /// through each.
   bool follows_digits = true;
