@@ -240,8 +240,7 @@ void follow_digits(PostureList& list, const Polished& place) {
 }
 
 /// Along which the tip can move so little that the accuracy leaves them open.
-int weak_directions(const PostureList& list, const Eigen::VectorXd& values, double accuracy) {
-  const Eigen::VectorXd sigma = stretch_of(place_at(list.arm, list.pose, values)).sigma;
+int weak_directions(const Eigen::VectorXd& sigma, double accuracy) {
   return static_cast<int>((sigma.array() <= accuracy / kReachesFar).count());
 }
 
@@ -380,9 +379,10 @@ void follow_branches(PostureList& list) {
     for (std::size_t k = 0; k < std::min(kMostFollowed, list.closures.size()); ++k) {
       if (list.closures[k].smallest_singular_value > widest / kReachesFar) continue;
       const Eigen::VectorXd values = list.closures[k].values;
+      const Eigen::VectorXd sigma = stretch_of(place_at(list.arm, list.pose, values)).sigma;
       for (const double fine : kFiner) {
         const double accuracy = fine * widest;
-        const int weak = weak_directions(list, values, accuracy);
+        const int weak = weak_directions(sigma, accuracy);
         if (weak <= dimension_told(list, values, accuracy)) continue;
         for (TracedSet& set : sets_through(list, values, weak, accuracy)) {
           add_open(list, std::move(set));

@@ -59,8 +59,7 @@ VectorXd random_unit_vector(const MatrixXd& columns, std::uint64_t seed, std::ui
 }
 
 /// As many directions as move the tip so little that it may stand, from those that move it least.
-MatrixXd still_directions(const SetPlace& place) {
-  const Svd stretch = stretch_of(place);
+MatrixXd still_directions(const Svd& stretch) {
   const Index n = stretch.sigma.size();
   Index still = 0;
   while (still < n && stretch.sigma[n - 1 - still] <= kMayStand * stretch.sigma[0]) ++still;
@@ -72,13 +71,16 @@ MatrixXd still_directions(const SetPlace& place) {
 struct Around {
   MatrixXd directions;
   std::optional<VectorXd> further;
+  VectorXd sigma;  ///< singular values, here
 };
 Around around(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& place, double accuracy,
               std::uint64_t seed, std::uint64_t stream, double probe) {
   constexpr std::uint64_t kSteps = 8;
-  const MatrixXd least = still_directions(place);
+  const Svd stretch = stretch_of(place);
+  const MatrixXd least = still_directions(stretch);
   const Index still = least.cols();
   Around result;
+  result.sigma = stretch.sigma;
   if (still == 0) return result;
   std::vector<VectorXd> differences;
   const std::uint64_t steps = still == 1 ? 2 : kSteps;  // a single direction has two sides
@@ -244,14 +246,13 @@ std::optional<SetBegin> set_begin(const Arm& arm, const Eigen::Isometry3d& pose,
   const Around there = around(arm, pose, next, accuracy, seed, kSecondStream, probe);
   if (!there.further) return std::nullopt;
   // A place where sets meet is known to half the digits or fewer: the other one is better.
-  const auto clearness = [](const SetPlace& place, Index dimension) {
-    const Eigen::VectorXd sigma = stretch_of(place).sigma;
-    const Index across = sigma.size() - 1 - dimension;
-    return across < 0 ? 0.0 : sigma[across];
+  const auto clearness = [](const Around& place, Index dimension) {
+    const Index across = place.sigma.size() - 1 - dimension;
+    return across < 0 ? 0.0 : place.sigma[across];
   };
   const Index dimension = std::min(here.directions.cols(), there.directions.cols());
   const bool is_meeting = there.directions.cols() < here.directions.cols() ||
-                          clearness(next, dimension) > 2 * clearness(start, dimension);
+                          clearness(there, dimension) > 2 * clearness(here, dimension);
   SetBegin begin = is_meeting ? SetBegin{next, there.directions} : SetBegin{start, here.directions};
   // Places of a curve that is bent span two dimensions unless they are near. What is within an
   // accuracy tells nothing there.
@@ -263,9 +264,10 @@ std::optional<SetBegin> set_begin(const Arm& arm, const Eigen::Isometry3d& pose,
   return begin;
 }
 
-void trace_curve(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
-                 double accuracy, double step, TracedSet& traced) {
-  SelfMotion& motion = traced.motion;
+/// Its places, in order.
+std::vector<SetPlace> trace_curve(const Arm& arm, const Eigen::Isometry3d& pose,
+                                  const SetBegin& begin, double accuracy, double step,
+                                  SelfMotion& motion) {
   const VectorXd direction = begin.ways.col(0);
   Way forth = follow(arm, pose, begin.place, direction, 1, kMostSteps, accuracy, step);
   Way back;
@@ -277,11 +279,18 @@ void trace_curve(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& 
   places.insert(places.end(), forth.places.begin(), forth.places.end());
   take(places, motion.samples, motion.misfit);
   motion.closes = forth.closes;
-  if (motion.misfit <= kReach && !has_ends(motion)) return;
+  return places;
+}
+
+/// Where closures of the arm are on a curve that is open within an accuracy only.
+std::vector<VectorXd> closures_near(const Arm& arm, const Eigen::Isometry3d& pose,
+                                    const SelfMotion& motion, std::vector<SetPlace> places,
+                                    double accuracy) {
+  if (motion.misfit <= kReach && !has_ends(motion)) return {};
   for (std::size_t k = 0; motion.closes && k < 2; ++k) {
     places.push_back(again_after(arm, places.back(), places[k]));
   }
-  traced.near_closures = near_closures(arm, pose, places, accuracy);
+  return near_closures(arm, pose, places, accuracy);
 }
 
 /// Of 3^n - 1: along each of orthonormal columns, to both sides, and between them.
@@ -342,7 +351,7 @@ Cover cover_of(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& be
   int ways = 0;
   for (std::size_t k = 0; k < cover.places.size(); ++k) {
     const SetPlace from = cover.places[k];
-    for (const VectorXd& side : all_sides(still_directions(from))) {
+    for (const VectorXd& side : all_sides(still_directions(stretch_of(from)))) {
       const VectorXd ahead = kSteps * kLong * step * side;
       if (is_covered(from.values + in_joints<double>(arm, ahead))) continue;
       if (++ways > kMostWays) {
@@ -382,7 +391,7 @@ MatrixXd far_reaching(const Arm& arm, const Eigen::Isometry3d& pose, const SetBe
   constexpr int kSteps = 8;
   // Places that probes come to are joined by chords, under which the tip moves much more than under
   // tangents where they are bent.
-  const MatrixXd ways = still_directions(begin.place);
+  const MatrixXd ways = still_directions(stretch_of(begin.place));
   MatrixXd far(ways.rows(), 0);
   std::vector<VectorXd> gone;
   for (Index k = ways.cols() - 1; k >= 0; --k) {
@@ -426,8 +435,9 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   motion.dimension = static_cast<int>(begin->ways.cols());
   motion.values = begin->place.values;
   motion.misfit = begin->place.residual;
+  std::vector<SetPlace> curve;
   if (motion.dimension == 1) {
-    trace_curve(arm, pose, *begin, accuracy, step, traced);
+    curve = trace_curve(arm, pose, *begin, accuracy, step, motion);
   } else {
     trace_surface(arm, pose, *begin, accuracy, step, traced);
   }
@@ -437,6 +447,9 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   if (reached < (is_open ? kShortestCurve : kShortest) * probe) return std::nullopt;
   // A curve of postures ends nowhere: what is small and ends is near closures alone.
   if (size < 1 && !motion.closes && reached < kShortestCurve * kProbe) return std::nullopt;
+  if (motion.dimension == 1) {
+    traced.near_closures = closures_near(arm, pose, motion, std::move(curve), accuracy);
+  }
   JointPlane plane = plane_of(arm, motion.samples, motion.dimension);
   motion.directions = begin->ways;
   for (Index k = 0; k < motion.directions.cols(); ++k) {

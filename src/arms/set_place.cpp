@@ -56,23 +56,34 @@ Square across_of(const Eigen::MatrixXd& frozen) {
 
 /// By the normal equations, where nothing is to be dropped: the step is short, or no direction
 /// moves the tip so little that what is within the accuracy is far.
-std::optional<JointVector<double>> step_across(const Linearized& at, const Eigen::MatrixXd& frozen,
-                                               const Square& across, double accuracy) {
+/// Screws: with as many columns as `across` has, faster where that is known.
+template <class ScrewsOf, class SquareOf>
+std::optional<JointVector<double>> step_across(const ScrewsOf& screws,
+                                               const Velocity6<double>& error,
+                                               const SquareOf& across, double accuracy) {
   constexpr double kIndependent = 1e-8;
-  const Screws<double> free = at.screws * across;
+  const ScrewsOf free = screws * across;
   const double size = free.squaredNorm();
-  Square gram = free.transpose() * free;
-  gram += size * (frozen * frozen.transpose());
-  const Eigen::LDLT<Square> ldlt(gram);
+  SquareOf gram = free.transpose() * free;
+  // What is kept: 1 - across is a projection.
+  gram += size * (SquareOf::Identity(gram.rows(), gram.cols()) - across);
+  const Eigen::LDLT<SquareOf> ldlt(gram);
   if (!(ldlt.vectorD().minCoeff() > kIndependent * size)) return std::nullopt;
-  const JointVector<double> along = free.transpose() * at.error;
+  const JointVector<double> along = free.transpose() * error;
   const JointVector<double> step = ldlt.solve(along);
   if (step.norm() <= kLongWay) return step;
   // 1 / sigma^2 <= |G^-1| for the smallest sigma.
-  const Square inverse = ldlt.solve(Square::Identity(gram.rows(), gram.cols()));
+  const SquareOf inverse = ldlt.solve(SquareOf::Identity(gram.rows(), gram.cols()));
   const double of_miss = accuracy / kLongWay;
   if (!(of_miss * of_miss * inverse.norm() < 1)) return std::nullopt;
   return step;
+}
+
+std::optional<JointVector<double>> step_across(const Linearized& at, const Square& across,
+                                               double accuracy) {
+  using Matrix6 = Eigen::Matrix<double, 6, 6>;
+  if (across.cols() != 6) return step_across(at.screws, at.error, across, accuracy);
+  return step_across(Matrix6(at.screws), at.error, Matrix6(across), accuracy);
 }
 
 /// Without the directions that rounding makes, or in which the miss is within the accuracy and far.
@@ -99,7 +110,7 @@ SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, Eigen::VectorXd 
   const Square across = across_of(frozen);
   SetPlace place = place_at(arm, pose, values);
   for (int k = 0; k < kMost; ++k) {
-    const auto plain = step_across(place.at, frozen, across, accuracy);
+    const auto plain = step_across(place.at, across, accuracy);
     JointVector<double> step = plain ? *plain : step_of(place.at, across, accuracy);
     const double size = step.cwiseAbs().maxCoeff();
     if (size > kLongest) step *= kLongest / size;
