@@ -110,7 +110,7 @@ bool hold_between(const PostureList& list, const Eigen::VectorXd& values,
 
 bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& ends,
                PostureList& list, ArmResult& result, PathsSeen& seen) {
-  constexpr double kNearlyReal = 0.1, kFarthest = 0.1, kMargin = 10;
+  constexpr double kNearlyReal = 0.1, kFarthest = 0.1, kMargin = 10, kSameStart = 1e-6;
   const SixJoints& six = beginning.six;
   const bool has_all_joints = six.own.size() == kSixJoints;
   const double accuracy = list.accuracy + list.arm.rounding;
@@ -118,6 +118,7 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
   // turns of opposite sense may be infinitely far from real, and their sum is.
   const bool is_coarse = list.accuracy > kReach;
   bool are_read = true;
+  std::vector<Eigen::VectorXd> pairs;
   if (beginning.regular.far == 0) {
     for (const std::size_t k : without_conjugate(six.arm, ends)) {
       seen.unpaired.push_back(place_of(six, ends[k]));
@@ -143,8 +144,14 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
     if (list.places.size() > places) seen.between_pairs.push_back(list.places.back());
     if (is_infinite) continue;
     // Of axes that meet but for the file's digits two may be in line: then there are closures to
-    // which no path leads, near this pair.
-    if (!is_nearly_real && has_all_joints) enter(list, start, false);
+    // which no path leads, near this pair. Its other one has the same real part.
+    const bool is_begun = std::any_of(pairs.begin(), pairs.end(), [&](const Eigen::VectorXd& one) {
+      return distance(list.arm, one, start) <= kSameStart;
+    });
+    if (!is_nearly_real && has_all_joints && !is_begun) {
+      enter(list, start, false);
+      pairs.push_back(start);
+    }
     if (entry.kind == PostureEntry::Kind::closure && entry.moved <= kFarthest) {
       ArmClosure& closure = list.closures[entry.index];
       // An end elsewhere may have led here before: that was no path of this closure.
