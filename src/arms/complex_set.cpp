@@ -112,7 +112,8 @@ VectorXd step_to_real(const Arm& arm, const ComplexPlace& place, double accuracy
 
 std::optional<VectorXd> real_place_of(const Arm& arm, const Eigen::Isometry3d& pose,
                                       const JointVector<Complex>& from, double accuracy) {
-  constexpr int kMost = 200, kHalvings = 4;
+  // Where imaginary parts are 12, an angle is infinite (approach.cpp).
+  constexpr int kMost = 1000, kHalvings = 4;
   constexpr double kLess = 0.9, kNearlyReal = 1e-2;
   const Placement<Complex> at = complex_placement(pose);
   auto place = back_to_pose(arm, at, from, accuracy);

@@ -264,8 +264,8 @@ std::vector<TracedSet> sets_through(const PostureList& list, const Eigen::Vector
   if (weak > 1)
     return trace_branches(list.arm, list.pose, values, weak, accuracy, list.seed, list.moves);
   std::vector<TracedSet> sets;
-  const bool is_known = std::any_of(
-      list.followed.begin(), list.followed.end(), [&](const FollowedFrom& followed) {
+  const bool is_known =
+      std::any_of(list.followed.begin(), list.followed.end(), [&](const FollowedFrom& followed) {
         return followed.accuracy == accuracy && followed.values == values;
       });
   if (is_known) return sets;

@@ -271,6 +271,18 @@ bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, Ar
          end.added > std::max(clear, kMargin * list.accuracy);
 }
 
+bool is_of_open_set(const PostureList& list, const Eigen::VectorXd& values) {
+  if (list.accuracy <= kReach) return false;
+  const auto is_near = [&](const Eigen::VectorXd& sample) {
+    return hold_between(list, sample, values);
+  };
+  return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
+    return set.misfit <= list.accuracy &&
+           (is_on(list.arm, set, values, kNear) ||
+            std::any_of(set.samples.begin(), set.samples.end(), is_near));
+  });
+}
+
 bool is_listed(const PostureList& list, const Eigen::VectorXd& place) {
   return is_on_told(list, place) ||
          std::any_of(list.closures.begin(), list.closures.end(), [&](const ArmClosure& closure) {

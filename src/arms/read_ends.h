@@ -63,6 +63,10 @@ bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, Ar
 /// signs, those of a surface by Newton's method from places that are nowhere far.
 bool is_on_continuation(const PlaceOfEnd& end, PostureList& list);
 
+/// Whether a posture is of a told set that a coarse pose leaves open: it is near to the set, or the
+/// pose is held all the way from there, within its accuracy.
+bool is_of_open_set(const PostureList& list, const Eigen::VectorXd& values);
+
 /// Whether a place that holds the pose within its accuracy is of a set or a closure that is listed:
 /// near to it, or the pose is held half way, too.
 bool is_listed(const PostureList& list, const Eigen::VectorXd& place);

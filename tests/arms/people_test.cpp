@@ -479,6 +479,20 @@ TEST(PeoplesArmsTest, PathsAlongAPlaneThatIsOpenAreOfIt) {
                read_poses({"pose", "0.088 0 0.926 0 -0.9888 0.1494 0"}).front());
 }
 
+/// Home: paths slide along a surface that the pose's rounding leaves open, until two turns are
+/// nearly infinite, with opposite signs.
+TEST(PeoplesArmsTest, PathsFarFromRealAreOfTheSurfaceThatLeadsThere) {
+  expect_shown({"elfin5_six_digits", {}, {{0, 0, 0, 0, 0, 0}}},
+               read_poses({"pose", "0 0 1.2 0.0000 0.0000 0.0000 1.0000"}).front());
+}
+
+/// Of five joints: searches lead to places of the told set, each of which misses the pose least
+/// next to itself.
+TEST(PeoplesArmsTest, PlacesOfAnOpenSetAreNoneThatPathsMissed) {
+  expect_shown({"nao_six_digits", {}, {{0, 0, 0, 0, 0}}},
+               read_poses({"pose", "0.2187 0.0 -0.015 -0.7071 0 -0.7071 0"}).front());
+}
+
 /// Next to home shoulder, elbow and wrist are straight but for so little that a curve holds the
 /// pose as far as its accuracy tells. It is no plane's, and paths stop on its continuation into
 /// complex numbers.
