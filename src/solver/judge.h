@@ -9,7 +9,7 @@
 //                     root, or a path is missing or one too many for whole cycles
 //   jumped            another path ends at the same simple root, or came back to the same sheet
 //
-// Where a count has settled the run nothing is open but what has no end. Private to the module.
+// Where a count has settled the run nothing is open. Private to the module.
 #pragma once
 
 #include <cstdint>

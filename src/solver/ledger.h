@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Where did each path end, and which paths ended at one point? The ledger of all paths.
 //
-// A path has exactly one entry, its last: a root, a failure, or neither, at infinity or left by a
-// bound. Of every path its record is kept, 16 bytes; of a root and of a failure what more there is
+// A path has exactly one entry, its last: a root, a failure, infinity, or not needed. Of every
+// path its record is kept, 16 bytes; of a root and of a failure what more there is
 // to know. An end that is refuted stays on record, and is none of a group.
 #pragma once
 
@@ -50,7 +50,7 @@ class Ledger {
   void release(std::uint64_t path) { roots_.erase(path); }
   /// Its end lies on a curve.
   void tell_curve(std::uint64_t path) { roots_.at(path).on_set = SetHere::sharp; }
-  /// It leads to no root that is not known already: a bound says so.
+  /// It leads to no root that is not known already: a count says so (settle.h).
   void leave(std::uint64_t path);
 
   /// The path was followed once more, or on; `stage`: of the plan, where it ended.

@@ -19,8 +19,9 @@ namespace moivre {
 struct Refined {
   Point x;
   bool simple = false;
-  double residual = 0;   ///< max_i |F_i(x)| / sum |terms of F_i|
-  double accuracy = 0;   ///< bound on |x - x*|_inf / max(1, |x|_inf); of a simple root only
+  double residual = 0;  ///< max_i |F_i(x)| / sum |terms of F_i|
+  double accuracy =
+      0;  ///< |x - x*|_inf / max(1, |x|_inf): of a simple root a bound, else an estimate
   double condition = 0;  ///< of the row-scaled Jacobian
 };
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What has become of the paths so far? The state of one solve, between its setting and its result.
 //
-// A path is in one of three places: not yet followed to its end (`waiting`, where it was followed
-// at all), among `ends` (finite, but not yet a root of the system as given), or in the ledger. Who
-// changes what: tracking.h and ends.h bring paths in, settle.h sends them out again, judge.h and
-// account.h only read.
+// A path is not yet followed to its end (`waiting`, where it was followed at all), among `ends`
+// (finite, but not yet a root of the system as given), or in the ledger; one that is followed again
+// stays there until its new end is judged. Who changes what: tracking.h and ends.h bring paths in,
+// the remedies of settle.h have them followed again, or enter and refute ends; judge.h only reads;
+// account.h closes.
 #pragma once
 
 #include <map>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// All paths were followed once. What is done about the questions that are open? One table of
-// remedies, the cheapest first.
+// What is done about the questions that are open when paths were followed? One table of remedies,
+// each once, in its order.
 //
 //   until a count settles the run, or no remedy is left:
 //     the next remedy of the table acts on the questions of judge.h that it may answer

@@ -15,7 +15,7 @@ namespace moivre {
 /// progress.
 void track_all(Run& run);
 
-/// Follows on what waits, from the start, and reports the progress.
+/// Follows on what waits, from where each stands, else from its start, and reports the progress.
 void track_waiting(Run& run, Effort effort);
 
 /// Follows these with that care: by the fallback, where there is one.
