@@ -381,11 +381,37 @@ class Census {
   std::vector<Place> places_;
 };
 
-/// New terms when the unknown becomes a form of `length` terms everywhere but in row `without`: its
-/// power e then has C(length + e - 1, e) terms; never more than a dense polynomial in `unknowns`
-/// unknowns holds.
+/// Of a form of `length` terms: its power e has C(length + e - 1, e). Each is counted once.
+class PowerTerms {
+ public:
+  explicit PowerTerms(double length) : length_(length) {}
+
+  double of(std::uint32_t exponent) {
+    if (length_ == 0) return 0;
+    const auto [known, is_new] = terms_.try_emplace(exponent);
+    if (is_new) known->second = dense_terms(length_ - 1, exponent);
+    return known->second;
+  }
+
+ private:
+  double length_;
+  std::map<std::uint32_t, double> terms_;
+};
+
+/// Of each row: so many terms more a dense polynomial of its degree has.
+std::vector<double> rooms(const State& s, double unknowns) {
+  std::vector<double> result;
+  for (const Row& row : s.rows) {
+    result.push_back(dense_terms(unknowns, static_cast<double>(row.equation->degree)) -
+                     static_cast<double>(row.equation->p.terms.size()));
+  }
+  return result;
+}
+
+/// New terms when the unknown becomes a form everywhere but in row `without`, `powers` those of
+/// that form; in no row more than there is room for.
 double estimated_fill(const State& s, const Census& census, std::uint32_t variable,
-                      std::size_t without, double length, double unknowns) {
+                      std::size_t without, PowerTerms& powers, const std::vector<double>& room) {
   double fill = 0;
   for (const auto& [i, first] : census.of(variable)) {
     if (i == without) continue;
@@ -394,29 +420,29 @@ double estimated_fill(const State& s, const Census& census, std::uint32_t variab
     for (std::size_t k = first; k < equation.occurrences.size(); ++k) {
       const Occurrence& o = equation.occurrences[k];
       if (o.variable != variable) break;
-      const double powers = length == 0 ? 0 : dense_terms(length - 1, o.exponent);
-      grown += o.count * (powers - 1);
+      grown += o.count * (powers.of(o.exponent) - 1);
     }
-    const double room = dense_terms(unknowns, static_cast<double>(equation.degree)) -
-                        static_cast<double>(equation.p.terms.size());
-    fill += std::min(grown, room);
+    fill += std::min(grown, room[i]);
   }
   return fill - static_cast<double>(s.rows[without].p().terms.size());
 }
 
-/// The pivot of least fill; among equals the largest, then the first. `refused` holds origins.
+/// The pivot of least fill; among equals the largest, then the first. `refused` holds origins. None
+/// where the search is over.
 std::optional<Pivot> choose_pivot(const State& s, const Census& census,
-                                  const std::set<std::size_t>& refused) {
+                                  const std::set<std::size_t>& refused, const Limits& limits) {
   const auto unknowns =
       static_cast<double>(std::count(s.is_eliminated.begin(), s.is_eliminated.end(), false));
   std::optional<Pivot> best;
   double terms = 0;
   for (const Row& row : s.rows) terms += static_cast<double>(row.p().terms.size());
+  const std::vector<double> room = rooms(s, unknowns - 1);
   for (std::size_t i = 0; i < s.rows.size(); ++i) {
     if (s.rows[i].degree() != 1 || refused.count(s.rows[i].origin) != 0) continue;
-    const auto length = static_cast<double>(s.rows[i].p().terms.size()) - 1;
+    if (limits.is_over()) return std::nullopt;
+    PowerTerms powers(static_cast<double>(s.rows[i].p().terms.size()) - 1);
     for (const Divisor& d : s.rows[i].equation->divisors) {
-      const double fill = estimated_fill(s, census, d.variable, i, length, unknowns - 1);
+      const double fill = estimated_fill(s, census, d.variable, i, powers, room);
       if (fill > kHopelessFill * terms + kCheapTrial) continue;
       if (!best || fill < best->fill || (fill == best->fill && d.size_log2 > best->size_log2)) {
         best = Pivot{i, d.variable, fill, d.size_log2};
@@ -560,7 +586,7 @@ State least_work(State s, const Limits& limits) {
   std::set<std::size_t> refused;
   while (!s.contradiction && !limits.is_over()) {
     const Census census(s);
-    const std::optional<Pivot> pivot = choose_pivot(s, census, refused);
+    const std::optional<Pivot> pivot = choose_pivot(s, census, refused, limits);
     if (!pivot) break;
     if (!substitute(s, *pivot, census, limits)) {
       refused.insert(s.rows[pivot->row].origin);

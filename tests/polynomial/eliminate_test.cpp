@@ -6,8 +6,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <thread>
 
 #include "build.h"
 #include "moivre/numeric/integer.h"
@@ -471,6 +475,30 @@ TEST(Elimination, RestoreInDoubleAgreesWithTheExactOne) {
   for (std::size_t j = 0; j < back.size(); ++j) {
     EXPECT_LE(std::abs(back[j] - to_complex(exact[j])), kRounding);
   }
+}
+
+/// The choice of one unknown among 300 dense equations looks at 300^3 places.
+TEST(Elimination, EndsWithinASecondOfAStopHoweverDenseTheEquationsAre) {
+  std::string text = "300\n";
+  for (int i = 0; i < 300; ++i) {
+    for (int j = 0; j < 300; ++j) {
+      text += '+' + std::to_string(1 + (37 * i * i + 101 * i * j + 59 * j * j * j) % 997) + "*x" +
+              std::to_string(j);
+    }
+    text += "-1;\n";
+  }
+  const System f = read_system({"dense", text});
+  std::atomic<bool> stop{false};
+  std::chrono::steady_clock::time_point stopped;
+  std::thread asker([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    stopped = std::chrono::steady_clock::now();
+    stop = true;
+  });
+  eliminate(f, &stop);
+  const auto ended = std::chrono::steady_clock::now();
+  asker.join();
+  EXPECT_LT(std::chrono::duration<double>(ended - stopped).count(), 1);
 }
 
 TEST(Elimination, AStopLeavesAReduction) {
