@@ -89,7 +89,7 @@ macro(check_types file)
 endmacro()
 
 # Headers of the platform, not of a package: POSIX's and the compiler's.
-set(system_headers "^(dlfcn|fcntl|unistd|signal|spawn|immintrin)\\.h$|^sys/[a-z]+\\.h$")
+set(system_headers "^(dlfcn|fcntl|malloc|unistd|signal|spawn|immintrin)\\.h$|^sys/[a-z]+\\.h$")
 
 file(GLOB source_folders LIST_DIRECTORIES true ${ROOT}/src/* ${ROOT}/include/moivre/*)
 foreach(folder IN LISTS source_folders)
