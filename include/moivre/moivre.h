@@ -11,6 +11,7 @@
 #include "moivre/polynomial/read.h"
 #include "moivre/polynomial/system.h"
 #include "moivre/polynomial/write.h"
+#include "moivre/version.h"
 
 #if __has_include("moivre/tracker_cvode/cvode_tracker.h")
 #include "moivre/tracker_cvode/cvode_tracker.h"
