@@ -37,7 +37,7 @@ def run(code):
 def test_ctrl_c_returns_what_is_finished_at_once(tracker):
     done = run(f"""
 threading.Timer(1.0, press).start()
-r = moivre.solve(katsura(13), tracker={tracker!r})
+r = moivre.solve(katsura(18), tracker={tracker!r})
 print(time.perf_counter() - begin[0], r.complete, len(r), r.paths["tracked"])
 print(r.message)
 """)
@@ -73,7 +73,7 @@ signal.setitimer
 threading.Timer(1.0, twice).start()
 try:
     while True:
-        moivre.solve(katsura(13))
+        moivre.solve(katsura(18))
 except KeyboardInterrupt:
     print("interrupted")
     signal.signal(signal.SIGINT, signal.SIG_IGN)
