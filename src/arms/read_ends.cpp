@@ -223,16 +223,19 @@ bool is_on_plane(const PlaceOfEnd& end, const PostureList& list) {
   });
 }
 
-/// Near to a set that is told, or the pose is held on the way to one of its samples.
+/// Whether the pose is held on the way to one of its samples.
+bool leads_to(const PostureList& list, const SelfMotion& set, const Eigen::VectorXd& place) {
+  return std::any_of(set.samples.begin(), set.samples.end(), [&](const Eigen::VectorXd& sample) {
+    return hold_between(list, sample, place);
+  });
+}
+
+/// Near to a set that is told, or one leads there; that takes longer.
 bool is_on_told(const PostureList& list, const Eigen::VectorXd& place) {
-  const auto is_near = [&](const Eigen::VectorXd& values) {
-    return hold_between(list, values, place);
-  };
   return std::any_of(list.moves.begin(), list.moves.end(),
                      [&](const SelfMotion& set) { return is_on(list.arm, set, place, kNear); }) ||
-         std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
-           return std::any_of(set.samples.begin(), set.samples.end(), is_near);
-         });
+         std::any_of(list.moves.begin(), list.moves.end(),
+                     [&](const SelfMotion& set) { return leads_to(list, set, place); });
 }
 
 }  // namespace
@@ -273,13 +276,9 @@ bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, Ar
 
 bool is_of_open_set(const PostureList& list, const Eigen::VectorXd& values) {
   if (list.accuracy <= kReach) return false;
-  const auto is_near = [&](const Eigen::VectorXd& sample) {
-    return hold_between(list, sample, values);
-  };
   return std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& set) {
     return set.misfit <= list.accuracy &&
-           (is_on(list.arm, set, values, kNear) ||
-            std::any_of(set.samples.begin(), set.samples.end(), is_near));
+           (is_on(list.arm, set, values, kNear) || leads_to(list, set, values));
   });
 }
 

@@ -16,6 +16,7 @@ namespace {
 // the system without them. Ends at infinity may not: their faces have every term.
 constexpr double kBitsOfTerms = 17;
 
+/// At least.
 double bits_of(PathPrecision precision) {
   switch (precision) {
     case PathPrecision::double_precision:
@@ -24,7 +25,7 @@ double bits_of(PathPrecision precision) {
     case PathPrecision::double_double:
       return 106;
     case PathPrecision::multiprecision:
-      return 332;
+      return 332;  // of 100 digits, the fewest that make_finer_trackers() has
   }
   return 0;
 }

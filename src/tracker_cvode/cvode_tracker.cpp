@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "cvode_memory.h"
 #include "moivre/numeric/invalid_input.h"
@@ -64,7 +65,7 @@ class CvodeSession : public TrackerSession {
   void forget();
   void take_care();
   void ease();
-  bool find_foot(double s, std::span<const Complex> y);
+  std::optional<Complex> find_foot(double s, std::span<const Complex> y);
   bool correct_trial(double s, std::span<const Complex> y);
 
   void set_up();
@@ -143,32 +144,31 @@ Complex nearest_multiple(std::span<const Complex> x, std::span<const Complex> y)
   return over / under;
 }
 
-/// foot_ <- where Newton's method comes from y. CVODE asks several times at one s: near the foot of
-/// there nothing is done.
-bool CvodeSession::find_foot(double s, std::span<const Complex> y) {
+/// foot_ <- where Newton's method comes from y; gives its multiple that is nearest to y. CVODE asks
+/// several times at one s: near the foot of there nothing is done.
+std::optional<Complex> CvodeSession::find_foot(double s, std::span<const Complex> y) {
   if (foot_.s == s) {
     const Complex scale = nearest_multiple(foot_.x, y);
     for (std::size_t i = 0; i < y.size(); ++i) trial_[i] = y[i] - product(scale, foot_.x[i]);
-    if (weighted_norm(trial_, foot_.x) <= newton_.largest_correction) return true;
+    if (weighted_norm(trial_, foot_.x) <= newton_.largest_correction) return scale;
   }
   forget();
   std::copy(y.begin(), y.end(), foot_.x.begin());
   CorrectorOptions renewing = newton_;
   renewing.renews = true;
   last_correction_ = path_.correct(foot_.x, contour_.at(s), renewing, true);
-  if (!last_correction_.converged) return false;
+  if (!last_correction_.converged) return std::nullopt;
   path_.tangent(contour_.dt(s), foot_.tangent);
   foot_.s = s;
-  return true;
+  return nearest_multiple(foot_.x, y);
 }
 
 /// trial_ <- the point of the path near y.
 bool CvodeSession::correct_trial(double s, std::span<const Complex> y) {
   if (is_careful()) {
-    if (!find_foot(s, y)) return false;
-    const Complex scale = nearest_multiple(foot_.x, y);
-    for (std::size_t i = 0; i < y.size(); ++i) trial_[i] = product(scale, foot_.x[i]);
-    return true;
+    const auto scale = find_foot(s, y);
+    for (std::size_t i = 0; scale && i < y.size(); ++i) trial_[i] = product(*scale, foot_.x[i]);
+    return scale.has_value();
   }
   std::copy(y.begin(), y.end(), trial_.begin());
   last_correction_ = path_.correct(trial_, contour_.at(s), newton_, linearized_at_ != s);
@@ -186,12 +186,12 @@ int CvodeSession::right_hand_side(sunrealtype s, N_Vector state, N_Vector deriva
     session.path_.tangent(session.contour_.dt(s), dy);
     return 0;
   }
-  if (!session.find_foot(s, y)) {
+  const auto scale = session.find_foot(s, y);
+  if (!scale) {
     session.take_care();
     return 1;
   }
-  const Complex scale = nearest_multiple(session.foot_.x, y);
-  for (std::size_t i = 0; i < dy.size(); ++i) dy[i] = product(scale, session.foot_.tangent[i]);
+  for (std::size_t i = 0; i < dy.size(); ++i) dy[i] = product(*scale, session.foot_.tangent[i]);
   return 0;
 }
 

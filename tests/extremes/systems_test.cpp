@@ -228,7 +228,7 @@ TEST(CyclicNine, HasAllItsRootsAndEveryPathIsDecided) {
 }
 
 // Winding numbers of nine and more: all circles are near singular points, where Newton's method
-// refuses what CVODE's tolerance allows. It took 60000 steps a path, and failed.
+// refuses what CVODE's tolerance allows. Each took it 10000 steps and more, and failed.
 TEST(CyclicNine, PathsToInfinityTakeCvodeFewSteps) {
   const std::atomic<bool> go_on{false};
   const System f = cyclic(9);
