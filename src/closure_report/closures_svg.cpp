@@ -11,9 +11,7 @@ namespace moivre {
 namespace {
 
 std::string caption(const Closure& closure) {
-  if (closure.multiplicity > 1) {
-    return closure.id + ": singular, of multiplicity " + std::to_string(closure.multiplicity);
-  }
+  if (closure.multiplicity > 1) return closure.id + ": singular, " + multiplicity_text(closure);
   if (closure.is_fitted) return closure.id + ": misfit " + short_text(closure.misfit);
   return closure.id + (closure.singular ? ": singular" : "");
 }

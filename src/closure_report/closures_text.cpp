@@ -89,10 +89,8 @@ std::string closure_text(const Closure& closure, const std::string& name,
   std::string text =
       "\nclosure " + name + (closure.is_drawn ? ", as drawn" : "") +
       (closure.is_fitted ? ", by least squares" : ", path " + std::to_string(closure.path));
-  if (closure.cluster) {
-    text += ", a cluster of " + counted(closure.multiplicity, "closure");
-  } else if (closure.multiplicity > 1) {
-    text += ", multiplicity " + std::to_string(closure.multiplicity);
+  if (const std::string several = multiplicity_text(closure); !several.empty()) {
+    text += ", " + several;
   }
   text += ", residual " + rough_text(closure.residual) + ", " +
           counted(static_cast<std::uint64_t>(closure.newton_iterations), "Newton step") +

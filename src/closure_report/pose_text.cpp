@@ -68,6 +68,11 @@ std::string counts_text(const ClosureCounts& counts) {
   return counted(counts.complex, "complex closure") + ", " + std::to_string(counts.real) + " real";
 }
 
+std::string multiplicity_text(const Closure& closure) {
+  if (closure.cluster) return "a cluster of " + counted(closure.multiplicity, "closure");
+  return closure.multiplicity > 1 ? "multiplicity " + std::to_string(closure.multiplicity) : "";
+}
+
 std::string fitted_text(const ClosureCounts& counts) {
   return counts.fitted == 0 ? "" : ", " + std::to_string(counts.fitted) + " within fit";
 }

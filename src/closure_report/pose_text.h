@@ -33,6 +33,10 @@ std::string moving_drivers_text(const Mechanism& mechanism, double time);
 /// "8 complex closures, 4 real".
 std::string counts_text(const ClosureCounts& counts);
 
+/// "multiplicity 2", or "a cluster of 2 closures" where nothing says that they are one; empty of a
+/// single closure.
+std::string multiplicity_text(const Closure& closure);
+
 /// ", 1 within fit", to follow it; empty where none is.
 std::string fitted_text(const ClosureCounts& counts);
 

@@ -88,7 +88,13 @@ TEST(Picture, ShowsTheGuessWhereNothingCanBeAssembled) {
 }
 
 TEST(Picture, SaysWhichClosureIsSingular) {
-  EXPECT_EQ(count(picture_of(mechanism_file("parallelogram")), "A: singular"), 1U);
+  const Mechanism m = mechanism_file("parallelogram");
+  ClosureResult result = closures_of(m);
+  EXPECT_EQ(count(closures_svg(result, m, "file.toml"), "A: singular, multiplicity 2"), 1U);
+  ASSERT_EQ(result.closures.size(), 1U);
+  result.closures[0].cluster = true;
+  EXPECT_EQ(count(closures_svg(result, m, "file.toml"), "A: singular, a cluster of 2 closures"),
+            1U);
 }
 
 TEST(Picture, NoNameBreaksOutOfIt) {
