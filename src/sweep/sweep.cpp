@@ -74,13 +74,18 @@ class Sweep {
     std::mutex mutex;
     std::exception_ptr refusal;
     const auto one = [&](std::size_t k) {
+      std::exception_ptr thrown;
       try {
         f(k);
-        const std::lock_guard lock(mutex);
-        if (refusal) return false;
-        if (options_.progress) options_.progress(++done, count);
       } catch (...) {
-        const std::lock_guard lock(mutex);
+        thrown = std::current_exception();
+      }
+      const std::lock_guard lock(mutex);
+      if (refusal) return false;
+      refusal = thrown;
+      try {
+        if (!refusal && options_.progress) options_.progress(++done, count);
+      } catch (...) {
         refusal = std::current_exception();
       }
       return refusal == nullptr;
