@@ -85,7 +85,7 @@ class TimedSession : public moivre::TrackerSession {
  public:
   TimedSession(std::unique_ptr<moivre::TrackerSession> session, Sessions& sessions)
       : session_(std::move(session)), sessions_(sessions) {}
-  void run(moivre::DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+  void run(moivre::SegmentSource& source, const std::atomic<bool>& stop) noexcept override {
     const Clock::time_point begin = Clock::now();
     session_->run(source, stop);
     const Clock::time_point end = Clock::now();
@@ -129,7 +129,7 @@ Run track(const moivre::System& f, const moivre::Tracker& tracker, int threads) 
   const TimedTracker timed(tracker);
   moivre::SolveOptions options;
   options.threads = threads;
-  options.maximum_care = 0;
+  options.maximum_tolerance_level = 0;
   const SolveResult result = moivre::solve(f, timed, options);
   Run run{result.time.track, result.time.track_cpu, 0, 0};
   const Sessions& sessions = timed.sessions;

@@ -34,7 +34,7 @@ std::vector<StudySetting> settings_of(const StudyChoice& choice) {
 }
 
 /// A file that has been read: how it is studied.
-using Study = std::function<StudyResult(const std::vector<StudySetting>&, const Referees&,
+using Study = std::function<StudyResult(const std::vector<StudySetting>&, const ReferenceTrackers&,
                                         const StudyOptions&, const std::atomic<bool>&)>;
 
 Study study_of_system(const std::string& file) {
@@ -44,19 +44,20 @@ Study study_of_system(const std::string& file) {
                                 " in " + counted(system.variables.size(), "unknown") +
                                 "; as many equations as unknowns are needed");
   }
-  return [system = std::move(system)](const auto& settings, const Referees& referees,
+  return [system = std::move(system)](const auto& settings, const ReferenceTrackers& references,
                                       const StudyOptions& options, const auto& stop) {
-    return study_system(system, settings, *referees.referee, referees.witness.get(), options, stop);
+    return study_system(system, settings, *references.reference_tracker, references.witness.get(),
+                        options, stop);
   };
 }
 
 #if MOIVRE_WITH_MECHANISM
 Study study_of_mechanism(const std::string& file) {
   return [mechanism = read_mechanism(read_source(file))](
-             const auto& settings, const Referees& referees, const StudyOptions& options,
+             const auto& settings, const ReferenceTrackers& references, const StudyOptions& options,
              const auto& stop) {
-    return study_mechanism(mechanism, settings, *referees.referee, referees.witness.get(), options,
-                           stop);
+    return study_mechanism(mechanism, settings, *references.reference_tracker,
+                           references.witness.get(), options, stop);
   };
 }
 
@@ -126,7 +127,7 @@ std::string study_texts(const std::vector<StudiedFile>& studies) {
 int run_study(const StudyCommand& command) {
   for (const std::string& file : command.files) require_distinct(outputs_of(command), file);
   const std::vector<StudySetting> settings = settings_of(command.choice);
-  const Referees referees = make_referees();
+  const ReferenceTrackers references = make_reference_trackers();
   StudyOptions options = options_of(command);
   const std::vector<Study> subjects = read_files(command.files);
   Output json(command.json);
@@ -146,7 +147,7 @@ int run_study(const StudyCommand& command) {
       };
       studies.push_back({command.files[k],
                          names[k],
-                         subjects[k](settings, referees, options, interruption.stop()),
+                         subjects[k](settings, references, options, interruption.stop()),
                          {}});
     }
   }

@@ -17,8 +17,8 @@ const std::vector<double> kSomeTolerances{1e-1, 1e-2, 1e-3, 1e-4, 1e-6};
 const std::vector<double> kAllTolerances{1e-1, 1e-2, 1e-3, 1e-4, 1e-5,
                                          1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
 // Careful enough that no jump was ever seen with them (docs/results/study).
-constexpr double kRefereeRtol = 1e-5;
-constexpr double kRefereeTolerance = 1e-4;
+constexpr double kReferenceRtol = 1e-5;
+constexpr double kReferenceTolerance = 1e-4;
 
 const std::string kNewton = "+newton";
 
@@ -88,16 +88,16 @@ std::vector<ChosenSetting> chosen_settings(const StudyChoice& choice) {
   return settings;
 }
 
-Referees make_referees() {
-  Referees referees;
+ReferenceTrackers make_reference_trackers() {
+  ReferenceTrackers references;
 #if MOIVRE_WITH_CVODE
-  referees.referee = make_tracker(choice_of("bdf_projection", kRefereeRtol));
+  references.reference_tracker = make_tracker(choice_of("bdf_projection", kReferenceRtol));
 #endif
 #if MOIVRE_WITH_LANES
-  auto& lanes = referees.referee ? referees.witness : referees.referee;
-  lanes = make_tracker(choice_of("lanes", kRefereeTolerance));
+  auto& lanes = references.reference_tracker ? references.witness : references.reference_tracker;
+  lanes = make_tracker(choice_of("lanes", kReferenceTolerance));
 #endif
-  return referees;
+  return references;
 }
 
 }  // namespace moivre

@@ -33,10 +33,10 @@ struct ChosenSetting {
 std::vector<ChosenSetting> chosen_settings(const StudyChoice& choice);
 
 /// A careful tracker and its careful witness; the second is nullptr where one tracker was built.
-struct Referees {
-  std::unique_ptr<Tracker> referee;
+struct ReferenceTrackers {
+  std::unique_ptr<Tracker> reference_tracker;
   std::unique_ptr<Tracker> witness;
 };
-Referees make_referees();
+ReferenceTrackers make_reference_trackers();
 
 }  // namespace moivre

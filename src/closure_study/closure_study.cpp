@@ -28,7 +28,7 @@ SolveResult as_solve_result(ClosureResult&& closures) {
 }  // namespace
 
 StudyResult study_mechanism(const Mechanism& mechanism, const std::vector<StudySetting>& settings,
-                            const Tracker& referee, const Tracker* witness,
+                            const Tracker& reference_tracker, const Tracker* witness,
                             const StudyOptions& options, const std::atomic<bool>& stop) {
   Eigen::VectorXd first;
   const auto find = [&](const Tracker& tracker, const SolveOptions& solve_options,
@@ -41,7 +41,7 @@ StudyResult study_mechanism(const Mechanism& mechanism, const std::vector<StudyS
     return as_solve_result(std::move(closures));
   };
   const StudySubject subject{formulate(mechanism, 0).system, false, find};
-  StudyResult result = study_subject(subject, settings, referee, witness, options, stop);
+  StudyResult result = study_subject(subject, settings, reference_tracker, witness, options, stop);
   if (stop.load()) return result;
   if (first.size() == 0) {
     result.remarks.push_back(
@@ -49,7 +49,7 @@ StudyResult study_mechanism(const Mechanism& mechanism, const std::vector<StudyS
     return result;
   }
   const double duration = natural_duration(mechanism, 0);
-  StudyTable motion = motion_table(mechanism, first, duration, referee, stop);
+  StudyTable motion = motion_table(mechanism, first, duration, reference_tracker, stop);
   if (motion.rows.empty()) {
     result.remarks.push_back(
         "the first closure stands or cannot be followed: no motion is compared");

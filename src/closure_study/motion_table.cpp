@@ -53,14 +53,14 @@ double largest_difference(const std::vector<BranchSample>& samples, double h, Me
 /// All closures at the checkpoints after the first, and how far a pose is from them.
 class Checkpoints {
  public:
-  Checkpoints(const Mechanism& mechanism, const Tracker& referee, double duration,
+  Checkpoints(const Mechanism& mechanism, const Tracker& reference_tracker, double duration,
               const std::atomic<bool>& stop)
       : coordinates_(coordinates(mechanism)) {
     for (int k = 1; k <= kCheckpoints && !stop.load(); ++k) {
       ClosureOptions options;
       options.time = duration / kCheckpoints * k;
       options.certify = false;
-      closures_.push_back(find_closures(mechanism, referee, options, stop).closures);
+      closures_.push_back(find_closures(mechanism, reference_tracker, options, stop).closures);
     }
   }
 
@@ -110,7 +110,7 @@ std::string seconds_text(double seconds) {
 }  // namespace
 
 StudyTable motion_table(const Mechanism& mechanism, const Eigen::VectorXd& q0, double duration,
-                        const Tracker& referee, const std::atomic<bool>& stop) {
+                        const Tracker& reference_tracker, const std::atomic<bool>& stop) {
   StudyTable table;
   const Branch whole = follow_branch(mechanism, q0, times_of(duration, kFewestSamples), {}, stop);
   if (!moves(whole)) return table;
@@ -120,7 +120,7 @@ StudyTable motion_table(const Mechanism& mechanism, const Eigen::VectorXd& q0, d
                 (ends ? ", of a branch that ends at " + seconds_text(whole.event->time) : "");
   table.columns = {"samples", "cpu_s", "position_error", "velocity_error", "acceleration_error",
                    "residual"};
-  const Checkpoints checkpoints(mechanism, referee, compared, stop);
+  const Checkpoints checkpoints(mechanism, reference_tracker, compared, stop);
   for (int count = kFewestSamples; count <= kMostSamples; count *= 2) {
     const std::vector<double> times = times_of(compared, count);
     Branch branch;

@@ -73,43 +73,44 @@ std::string to_string(Failure failure) {
   return "";
 }
 
-Failure to_failure(Journey journey) {
-  switch (journey) {
-    case Journey::bad_start:
+Failure to_failure(SegmentStatus status) {
+  switch (status) {
+    case SegmentStatus::bad_start:
       return Failure::bad_start;
-    case Journey::step_limit:
+    case SegmentStatus::step_limit:
       return Failure::step_limit;
-    case Journey::cancelled:
+    case SegmentStatus::cancelled:
       return Failure::cancelled;
-    case Journey::arrived:
-    case Journey::stopped:
-    case Journey::step_too_small:
-    case Journey::off_path:
+    case SegmentStatus::arrived:
+    case SegmentStatus::stopped:
+    case SegmentStatus::step_too_small:
+    case SegmentStatus::off_path:
       return Failure::step_too_small;
   }
   return Failure::step_too_small;
 }
 
-Endgame::Endgame(const EndgameOptions& options, const Chart& chart, std::uint64_t path, int care)
-    : options_(options), chart_(chart), path_(path), care_(care) {}
+Endgame::Endgame(const EndgameOptions& options, const Chart& chart, std::uint64_t path,
+                 int tolerance_level)
+    : options_(options), chart_(chart), path_(path), tolerance_level_(tolerance_level) {}
 
-Departure Endgame::depart(Point start, FramePointer frame) {
+PathSegment Endgame::depart(Point start, FramePointer frame) {
   frame_ = std::move(frame);
-  Departure departure = along(Contour::segment(0, 1), std::move(start), 0, this);
-  departure.watch_radius = options_.ends.watch_radius;
-  return departure;
+  PathSegment segment = along(Contour::segment(0, 1), std::move(start), 0, this);
+  segment.watch_radius = options_.ends.watch_radius;
+  return segment;
 }
 
-Departure Endgame::along(const Contour& contour, Point x, int samples, Watcher* watcher) {
-  Departure departure;
-  departure.path = path_;
-  departure.contour = contour;
-  departure.x = std::move(x);
-  departure.care = care_;
-  departure.samples = samples;
-  departure.watcher = watcher;
-  departure.frame = frame_;
-  return departure;
+PathSegment Endgame::along(const Contour& contour, Point x, int samples, Watcher* watcher) {
+  PathSegment segment;
+  segment.path = path_;
+  segment.contour = contour;
+  segment.x = std::move(x);
+  segment.tolerance_level = tolerance_level_;
+  segment.samples = samples;
+  segment.watcher = watcher;
+  segment.frame = frame_;
+  return segment;
 }
 
 Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem&) {
@@ -129,12 +130,12 @@ std::nullopt_t Endgame::fail(Failure failure) {
   return std::nullopt;
 }
 
-std::optional<Departure> Endgame::accept(Arrival&& arrival, PathSystem& path) {
+std::optional<PathSegment> Endgame::accept(SegmentResult&& reached, PathSystem& path) {
   path.set_frame(frame_.get());
-  return hand_on(proceed(std::move(arrival), path), path);
+  return hand_on(proceed(std::move(reached), path), path);
 }
 
-std::optional<Departure> Endgame::hand_on(std::optional<Departure> next, PathSystem& path) {
+std::optional<PathSegment> Endgame::hand_on(std::optional<PathSegment> next, PathSystem& path) {
   if (!next && may_look_again()) next = look_again(path);
   if (!next && may_go_back()) next = go_back();
   if (!next && !waits_) deliver_end();
@@ -148,15 +149,15 @@ bool Endgame::may_go_back() const {
          end_.status != PathStatus::failed && is_told_by_circles;
 }
 
-Departure Endgame::go_back() {
+PathSegment Endgame::go_back() {
   phase_ = Phase::way_back;
   const double wide = common_radius(options_.ends.watch_radius);
   return along(Contour::spiral(radius_, std::log(wide / radius_)), turn_begin_);
 }
 
-void Endgame::arrive_back(Arrival&& arrival) {
-  end_.count += arrival.count;
-  if (arrival.journey == Journey::arrived) end_.sheet = outside(frame_, std::move(arrival.x));
+void Endgame::arrive_back(SegmentResult&& reached) {
+  end_.count += reached.count;
+  if (reached.status == SegmentStatus::arrived) end_.sheet = outside(frame_, std::move(reached.x));
 }
 
 void Endgame::deliver_end() {
@@ -165,41 +166,41 @@ void Endgame::deliver_end() {
   end_.x = outside(frame_, std::move(end_.x));
 }
 
-std::optional<Departure> Endgame::proceed(Arrival&& arrival, PathSystem& path) {
-  if (phase_ == Phase::way_back && arrival.journey != Journey::cancelled) {
-    arrive_back(std::move(arrival));
+std::optional<PathSegment> Endgame::proceed(SegmentResult&& reached, PathSystem& path) {
+  if (phase_ == Phase::way_back && reached.status != SegmentStatus::cancelled) {
+    arrive_back(std::move(reached));
     return std::nullopt;
   }
-  end_.count += arrival.count;
-  end_.t = arrival.t.t;
-  if (arrival.journey == Journey::cancelled) return fail(Failure::cancelled);
+  end_.count += reached.count;
+  end_.t = reached.t.t;
+  if (reached.status == SegmentStatus::cancelled) return fail(Failure::cancelled);
   switch (phase_) {
     case Phase::whole_way:
-      return judge_arrival(std::move(arrival), path);
+      return judge_result(std::move(reached), path);
     case Phase::first_approach:
     case Phase::approach:
-      if (arrival.journey == Journey::arrived) {
-        endgame_start_ = std::move(arrival.x);
+      if (reached.status == SegmentStatus::arrived) {
+        endgame_start_ = std::move(reached.x);
         radius_ = next_radius_;
       } else if (phase_ == Phase::approach) {
         return conclude(path);
       }
       return begin_circle();
     case Phase::circle:
-      return next_turn(std::move(arrival), path);
+      return next_turn(std::move(reached), path);
     case Phase::landing:
-      return is_regular_arrival(arrival, path, landing_condition()) ? std::nullopt : conclude(path);
+      return is_regular_end(reached, path, landing_condition()) ? std::nullopt : conclude(path);
     case Phase::way_back:
       break;
   }
   return std::nullopt;
 }
 
-std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& path) {
-  end_.x = arrival.x;
-  if (arrival.regular_condition) {
-    end_.condition = *arrival.regular_condition;
-    end_.accuracy = arrival.accuracy;
+std::optional<PathSegment> Endgame::judge_result(SegmentResult&& reached, PathSystem& path) {
+  end_.x = reached.x;
+  if (reached.regular_condition) {
+    end_.condition = *reached.regular_condition;
+    end_.accuracy = reached.accuracy;
     if (is_known_finite()) return take_finite();
     if (endgame_start_.empty()) return fail(Failure::precision);
   }
@@ -207,16 +208,17 @@ std::optional<Departure> Endgame::judge_arrival(Arrival&& arrival, PathSystem& p
   // later.
   const double condition = endgame_start_.empty() ? std::numeric_limits<double>::infinity()
                                                   : options_.ends.regular_condition;
-  if (is_regular_arrival(arrival, path, condition)) return std::nullopt;
-  if (endgame_start_.empty()) return fail(to_failure(arrival.journey));
+  if (is_regular_end(reached, path, condition)) return std::nullopt;
+  if (endgame_start_.empty()) return fail(to_failure(reached.status));
   if (options_.only_regular) {
     end_.endgame_start = {endgame_start_, radius_, frame_};
-    return fail(arrival.journey == Journey::step_limit ? Failure::step_limit : Failure::precision);
+    return fail(reached.status == SegmentStatus::step_limit ? Failure::step_limit
+                                                            : Failure::precision);
   }
   return turn_to_circles(path);
 }
 
-Departure Endgame::take_up(const EndgameStart& endgame_start, PathSystem& path) {
+PathSegment Endgame::take_up(const EndgameStart& endgame_start, PathSystem& path) {
   end_.is_taken_up = true;
   frame_ = endgame_start.frame;
   path.set_frame(frame_.get());
@@ -225,7 +227,7 @@ Departure Endgame::take_up(const EndgameStart& endgame_start, PathSystem& path) 
   return turn_to_circles(path);
 }
 
-Departure Endgame::turn_to_circles(PathSystem& path) {
+PathSegment Endgame::turn_to_circles(PathSystem& path) {
   polish_endgame_start(path);
   watched_at_ = endgame_start_;
   watched_radius_ = radius_;
@@ -247,7 +249,7 @@ bool Endgame::may_look_again() const {
 
 // A path may have gone far since it set out: in the units of the point from where its end was
 // looked at in vain it may be seen.
-std::optional<Departure> Endgame::look_again(PathSystem& path) {
+std::optional<PathSegment> Endgame::look_again(PathSystem& path) {
   looks_again_ = true;
   end_.failure.reset();
   last_.reset();
@@ -277,7 +279,7 @@ double Endgame::common_radius(double radius) const {
   return last * std::pow(options_.ends.shrink, std::ceil(steps));
 }
 
-Departure Endgame::approach(double radius) {
+PathSegment Endgame::approach(double radius) {
   next_radius_ = radius;
   return along(Contour::spiral(radius_, std::log(radius / radius_)), endgame_start_);
 }
@@ -286,11 +288,11 @@ Contour Endgame::circle() const {
   return Contour::spiral(radius_, Complex(0, 2 * std::numbers::pi));
 }
 
-Departure Endgame::walk_turn(Point x) {
+PathSegment Endgame::walk_turn(Point x) {
   return along(circle(), std::move(x), options_.ends.samples);
 }
 
-std::optional<Departure> Endgame::begin_circle() {
+std::optional<PathSegment> Endgame::begin_circle() {
   phase_ = Phase::circle;
   turns_ = 0;
   samples_.clear();
@@ -304,22 +306,22 @@ bool Endgame::may_wait() const {
   return options_.may_wait && turns_ == 1 && radius_ == next_radius_ && !looks_again_;
 }
 
-std::optional<Departure> Endgame::next_turn(Arrival&& arrival, PathSystem& path) {
-  if (arrival.journey != Journey::arrived) return shrink(path);
+std::optional<PathSegment> Endgame::next_turn(SegmentResult&& reached, PathSystem& path) {
+  if (reached.status != SegmentStatus::arrived) return shrink(path);
   ++turns_;
-  for (Point& sample : arrival.samples) samples_.push_back(normalized(std::move(sample)));
+  for (Point& sample : reached.samples) samples_.push_back(normalized(std::move(sample)));
   if (difference(samples_.back(), turn_begin_) < options_.ends.agreement) return estimate_end(path);
   if (turns_ >= options_.ends.maximum_winding ||
       end_.count.accepted > options_.ends.maximum_steps) {
     return shrink(path);
   }
-  if (!may_wait()) return walk_turn(std::move(arrival.x));
+  if (!may_wait()) return walk_turn(std::move(reached.x));
   waits_ = true;
-  turn_end_ = std::move(arrival.x);
+  turn_end_ = std::move(reached.x);
   return std::nullopt;
 }
 
-Departure Endgame::go_on() {
+PathSegment Endgame::go_on() {
   waits_ = options_.may_wait = false;
   return walk_turn(std::move(turn_end_));
 }
@@ -330,8 +332,8 @@ std::vector<Point> Endgame::turn() const {
   return samples;
 }
 
-std::optional<Departure> Endgame::join(const std::vector<std::vector<Point>>& turns,
-                                       std::size_t own, PathSystem& path) {
+std::optional<PathSegment> Endgame::join(const std::vector<std::vector<Point>>& turns,
+                                         std::size_t own, PathSystem& path) {
   path.set_frame(frame_.get());
   waits_ = options_.may_wait = false;
   for (std::size_t k = 1; k < turns.size(); ++k) {
@@ -343,7 +345,7 @@ std::optional<Departure> Endgame::join(const std::vector<std::vector<Point>>& tu
   return hand_on(estimate_end(path), path);
 }
 
-std::optional<Departure> Endgame::end_with(const Endgame& sheet) {
+std::optional<PathSegment> Endgame::end_with(const Endgame& sheet) {
   waits_ = false;
   end_.status = sheet.end_.status;
   end_.is_as_rounded = sheet.end_.is_as_rounded;
@@ -463,7 +465,7 @@ double Endgame::truncation() const {
   return max_norm(laurent_coefficient(static_cast<int>(samples_.size()) / 2 - 1));
 }
 
-std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
+std::optional<PathSegment> Endgame::estimate_end(PathSystem& path) {
   const std::vector<Complex> x0 = samples_of_x0();
   const bool is_beyond = ends_beyond(x0);
   if (is_beyond || vanish_together(x0, turns_, options_.ends)) {
@@ -505,7 +507,7 @@ std::optional<Departure> Endgame::estimate_end(PathSystem& path) {
   return shrink(path);
 }
 
-std::optional<Departure> Endgame::shrink(PathSystem& path) {
+std::optional<PathSegment> Endgame::shrink(PathSystem& path) {
   const double smaller = radius_ / options_.ends.shrink;
   if (smaller < options_.ends.least_radius || end_.count.accepted > options_.ends.maximum_steps) {
     return conclude(path);
@@ -520,12 +522,12 @@ double Endgame::landing_condition() const {
   return best_ ? options_.ends.singular_condition : std::numeric_limits<double>::infinity();
 }
 
-std::optional<Departure> Endgame::land() {
+std::optional<PathSegment> Endgame::land() {
   phase_ = Phase::landing;
   return along(Contour::landing(radius_), endgame_start_);
 }
 
-std::optional<Departure> Endgame::conclude(PathSystem& path) {
+std::optional<PathSegment> Endgame::conclude(PathSystem& path) {
   if (!best_ || best_difference_ > options_.ends.agreement) {
     if (phase_ == Phase::landing) return fail(Failure::precision);
     return land();
@@ -555,11 +557,11 @@ std::nullopt_t Endgame::take_finite() {
   return std::nullopt;
 }
 
-bool Endgame::is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition) {
-  if (arrival.journey != Journey::arrived) return false;
+bool Endgame::is_regular_end(const SegmentResult& reached, PathSystem& path, double condition) {
+  if (reached.status != SegmentStatus::arrived) return false;
   CorrectorOptions newton;
   newton.tolerance = options_.ends.rounding;
-  Point x = arrival.x;
+  Point x = reached.x;
   const Correction correction = path.correct(x, kEnd, newton, true);
   end_.condition = path.condition();
   if (end_.condition > condition ||

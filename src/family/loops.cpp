@@ -65,34 +65,34 @@ struct Batch {
   }
 };
 
-class BatchSource : public DepartureSource {
+class BatchSource : public SegmentSource {
  public:
   explicit BatchSource(Batch& batch) : batch_(batch), scratch_(batch.homotopy) {}
 
-  std::optional<Departure> next() override {
+  std::optional<PathSegment> next() override {
     const auto path = batch_.draw();
     if (!path) return std::nullopt;
-    Departure departure;
-    departure.path = *path;
-    departure.x = batch_.homotopy.chart().homogeneous(batch_.starts[departure.path]);
-    return departure;
+    PathSegment segment;
+    segment.path = *path;
+    segment.x = batch_.homotopy.chart().homogeneous(batch_.starts[segment.path]);
+    return segment;
   }
 
-  void arrived(const Departure& departure, Arrival&& arrival) override {
-    if (arrival.journey != Journey::arrived) return;
+  void arrived(const PathSegment& segment, SegmentResult&& reached) override {
+    if (reached.status != SegmentStatus::arrived) return;
     const Chart& chart = batch_.homotopy.chart();
-    if (!is_regular(arrival) || chart.finiteness(arrival.x) < kLeastLoopFiniteness) return;
-    batch_.ends[departure.path] = chart.affine(arrival.x);
-    batch_.keep(departure.path);
+    if (!is_regular(reached) || chart.finiteness(reached.x) < kLeastLoopFiniteness) return;
+    batch_.ends[segment.path] = chart.affine(reached.x);
+    batch_.keep(segment.path);
   }
 
  private:
   /// Improves the end where it was followed in double.
-  bool is_regular(Arrival& arrival) {
-    if (arrival.regular_condition) return true;
+  bool is_regular(SegmentResult& reached) {
+    if (reached.regular_condition) return true;
     CorrectorOptions newton;
     newton.tolerance = kLoopNewtonTolerance;
-    const Correction correction = scratch_.correct(arrival.x, {1.0, 0.0}, newton, true);
+    const Correction correction = scratch_.correct(reached.x, {1.0, 0.0}, newton, true);
     return correction.converged && scratch_.condition() <= kWorstCondition;
   }
 

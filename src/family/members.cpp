@@ -106,28 +106,28 @@ bool are_conjugates_there(const std::vector<MemberRoot>& roots) {
 }
 
 /// One thread's paths. A member's slot is its result; what a path needs beside it is here.
-class MemberSource : public DepartureSource {
+class MemberSource : public SegmentSource {
  public:
   explicit MemberSource(Shared& shared)
       : shared_(shared), scratch_(shared.homotopy), is_real_(is_real(shared.family.system)) {}
 
-  std::optional<Departure> next() override {
+  std::optional<PathSegment> next() override {
     const std::size_t paths = shared_.starts.size();
     if (path_ == paths && !begin_member()) return std::nullopt;
-    Departure departure;
-    departure.path = member_ * paths + path_;
-    departure.x = shared_.starts[path_];
-    departure.care = shared_.options.care;
-    departure.frame = frame_;
+    PathSegment segment;
+    segment.path = member_ * paths + path_;
+    segment.x = shared_.starts[path_];
+    segment.tolerance_level = shared_.options.tolerance_level;
+    segment.frame = frame_;
     ++path_;
-    return departure;
+    return segment;
   }
 
-  void arrived(const Departure& departure, Arrival&& arrival) override {
+  void arrived(const PathSegment& segment, SegmentResult&& reached) override {
     const std::size_t paths = shared_.starts.size();
-    const std::size_t member = departure.path / paths;
+    const std::size_t member = segment.path / paths;
     MemberRoots& result = shared_.results[member];
-    if (!take(departure, std::move(arrival), result.roots[departure.path % paths])) ++result.failed;
+    if (!take(segment, std::move(reached), result.roots[segment.path % paths])) ++result.failed;
     // at_infinity counts the paths that have come home until all have.
     if (++result.at_infinity < paths) return;
     result.at_infinity = 0;
@@ -152,18 +152,18 @@ class MemberSource : public DepartureSource {
   }
 
   /// False where the end is no regular root, as far as its condition tells.
-  bool take(const Departure& departure, Arrival&& arrival, MemberRoot& root) {
-    if (arrival.journey != Journey::arrived) return false;
-    scratch_.set_frame(departure.frame.get());
+  bool take(const PathSegment& segment, SegmentResult&& reached, MemberRoot& root) {
+    if (reached.status != SegmentStatus::arrived) return false;
+    scratch_.set_frame(segment.frame.get());
     CorrectorOptions newton;
     newton.tolerance = kNewtonTolerance;
-    const Correction correction = scratch_.correct(arrival.x, {1.0, 0.0}, newton, true);
+    const Correction correction = scratch_.correct(reached.x, {1.0, 0.0}, newton, true);
     const Chart& chart = shared_.homotopy.chart();
-    const double finiteness = chart.finiteness(arrival.x);
+    const double finiteness = chart.finiteness(reached.x);
     root.condition = scratch_.condition();
     if (!correction.converged || finiteness < kLeastFiniteness) return false;
     root.accuracy = correction.last / finiteness;
-    root.x = std::move(arrival.x);
+    root.x = std::move(reached.x);
     const Complex x0 = root.x.back();
     root.x.pop_back();
     for (Complex& xj : root.x) xj /= x0;

@@ -22,7 +22,7 @@ Fingerprint list_of(const MembersTask& task, std::span<const Point> members) {
   add_to(maker, task.tracker);
   if (task.options.fallback != nullptr) add_to(maker, *task.options.fallback);
   maker.add(task.options.seed);
-  maker.add(static_cast<double>(task.options.care));
+  maker.add(static_cast<double>(task.options.tolerance_level));
   maker.add(std::uint64_t{task.options.certify});
   maker.add(std::uint64_t{task.is_judged});
   for (const Point& root : task.family.roots) maker.add(root);

@@ -143,14 +143,14 @@ TraceTest trace_test(const Family& family, const Tracker& tracker, const Monodro
   std::vector<Point> starts = family.roots;
   for (Point& point : starts) point.push_back(0);
   const Point base = generic_form(n, options.seed);
-  const auto arrivals = [&](const Point& from, const Point& to, const std::vector<Point>& points) {
+  const auto results = [&](const Point& from, const Point& to, const std::vector<Point>& points) {
     RootSet ends;
     for (auto& end : follow_roots(curve, from, to, points, follower)) {
       if (end) ends.add(std::move(*end));
     }
     return ends;
   };
-  RootSet points = arrivals(split_form(n, options.seed), base, starts);
+  RootSet points = results(split_form(n, options.seed), base, starts);
   if (points.size() != starts.size()) return test;
   const LoopSearch search{std::vector<double>(base.size(), 1.0), kTestLoops, options};
   go_round_loops(curve, base, search, follower, points);
@@ -161,7 +161,7 @@ TraceTest trace_test(const Family& family, const Tracker& tracker, const Monodro
     for (const double multiple : {1.0, 2.0}) {
       Point moved = base;
       moved.back() += multiple * length * step;
-      const RootSet ends = arrivals(base, moved, points.roots());
+      const RootSet ends = results(base, moved, points.roots());
       if (ends.size() != points.size()) return test;
       traces.push_back(trace_of(ends.roots(), options.seed));
     }

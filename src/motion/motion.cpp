@@ -17,15 +17,15 @@
 #include "motion_record.h"
 #include "pair_search.h"
 #include "reconcile.h"
-#include "scene.h"
+#include "solved_checkpoint.h"
 
 namespace moivre {
 namespace {
 
 /// A track from every closure at `from`.
-void begin_tracks(MotionRun& run, const std::vector<Scene>& scenes) {
-  if (scenes.empty()) return;
-  const Scene& first = scenes.front();
+void begin_tracks(MotionRun& run, const std::vector<SolvedCheckpoint>& checkpoints) {
+  if (checkpoints.empty()) return;
+  const SolvedCheckpoint& first = checkpoints.front();
   const auto& closures = first.closures.closures;
   const auto count = static_cast<double>(closures.size());
   for (std::size_t k = 0; k < closures.size(); ++k) {
@@ -55,10 +55,10 @@ void begin_track(MotionRun& run, const Eigen::VectorXd& guess, const std::string
   run.tracks.push_back(run.follower.follow({run.options.from, run.phi.canonical(assembled.q)}));
 }
 
-void count_work(const std::vector<Scene>& scenes, MotionResult& result) {
-  for (const Scene& scene : scenes) {
-    result.paths += scene.closures.paths;
-    result.time_s.threads = std::max(result.time_s.threads, scene.closures.time_s.threads);
+void count_work(const std::vector<SolvedCheckpoint>& checkpoints, MotionResult& result) {
+  for (const SolvedCheckpoint& solved : checkpoints) {
+    result.paths += solved.closures.paths;
+    result.time_s.threads = std::max(result.time_s.threads, solved.closures.time_s.threads);
   }
 }
 
@@ -84,10 +84,11 @@ void tell_drawn(const MotionRun& run, MotionResult& result) {
 }
 
 /// The message of a motion whose branches say nothing of how it went.
-void tell_why_nothing_moves(const std::vector<Scene>& scenes, MotionResult& result) {
+void tell_why_nothing_moves(const std::vector<SolvedCheckpoint>& checkpoints,
+                            MotionResult& result) {
   if (!result.complete) return;
-  if (!scenes.empty() && scenes.front().closures.moves) {
-    result.message = scenes.front().closures.message;
+  if (!checkpoints.empty() && checkpoints.front().closures.moves) {
+    result.message = checkpoints.front().closures.message;
   } else if (result.branches.empty()) {
     result.message = "cannot be assembled at any checkpoint";
   }
@@ -137,17 +138,17 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   MotionResult result = empty_result(options, run.times);
   result.tracker = tracker.kind();
   result.tracker_options = tracker.options_in_force();
-  std::vector<Scene> scenes = solve_scenes(run, tracker);
+  std::vector<SolvedCheckpoint> checkpoints = solve_checkpoints(run, tracker);
   result.time_s.track = watch.total();
-  begin_tracks(run, scenes);
-  reconcile(run, scenes);
+  begin_tracks(run, checkpoints);
+  reconcile(run, checkpoints);
   std::vector<std::string> doubts;
-  std::vector<double> crossings = drop_crossings(run, scenes);
-  if (options.checkpoints > 0 && !mechanism.drivers.empty() && !scenes.empty()) {
+  std::vector<double> crossings = drop_crossings(run, checkpoints);
+  if (options.checkpoints > 0 && !mechanism.drivers.empty() && !checkpoints.empty()) {
     PairSearch pairs(run, tracker);
-    if (look_closer(run, tracker, scenes)) reconcile(run, scenes);
-    search_pairs(run, tracker, scenes, pairs);
-    const std::vector<double> found = drop_crossings(run, scenes);
+    if (look_closer(run, tracker, checkpoints)) reconcile(run, checkpoints);
+    search_pairs(run, tracker, checkpoints, pairs);
+    const std::vector<double> found = drop_crossings(run, checkpoints);
     crossings.insert(crossings.end(), found.begin(), found.end());
     tell_times(pairs.instants(), "closures ",
                "complex closures meet there and separate again: a pose for an instant", result);
@@ -158,14 +159,14 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   }
   drop_moments(run);
   order_tracks(run);
-  for (Scene& scene : scenes) match(run, scene);
+  for (SolvedCheckpoint& solved : checkpoints) match(run, solved);
   enter_branches(run, result);
   tell_drawn(run, result);
-  for (const Scene& scene : scenes) enter_checkpoint(run, scene, result);
+  for (const SolvedCheckpoint& solved : checkpoints) enter_checkpoint(run, solved, result);
   enter_unverified(run, result);
   enter_unmet(run, result);
   std::move(doubts.begin(), doubts.end(), std::back_inserter(result.failures));
-  count_work(scenes, result);
+  count_work(checkpoints, result);
   tell_instants(run.instants, result);
   tell_times(
       crossings, "the checkpoint ",
@@ -173,7 +174,7 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
       "both sides of it",
       result);
   conclude(run, result);
-  tell_why_nothing_moves(scenes, result);
+  tell_why_nothing_moves(checkpoints, result);
   if (options.checkpoints == 0 || has_limits(mechanism)) {
     result.left_out.push_back(left_unseen(options));
   }

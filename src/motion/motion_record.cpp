@@ -94,19 +94,19 @@ void enter_branch(const MotionRun& run, const Track& track, MotionResult& result
 }
 
 /// Enters closures that no branch is at; returns the number of the others.
-std::size_t enter_lone_closures(const MotionRun& run, const Scene& scene, Checkpoint& row,
-                                MotionResult& result) {
+std::size_t enter_lone_closures(const MotionRun& run, const SolvedCheckpoint& solved,
+                                Checkpoint& row, MotionResult& result) {
   std::size_t matched = 0;
-  for (std::size_t j = 0; j < scene.track_of.size(); ++j) {
-    const auto& owner = scene.track_of[j];
-    const Closure& closure = scene.closures.closures[j];
+  for (std::size_t j = 0; j < solved.track_of.size(); ++j) {
+    const auto& owner = solved.track_of[j];
+    const Closure& closure = solved.closures.closures[j];
     row.branches.push_back(owner ? result.branches[*owner].id : "");
     matched += owner ? 1 : 0;
-    if (owner || is_event_of_a_track(run, scene.time, closure.q)) continue;
-    if (is_known_instant(run, scene.time, closure.q)) continue;
+    if (owner || is_event_of_a_track(run, solved.time, closure.q)) continue;
+    if (is_known_instant(run, solved.time, closure.q)) continue;
     row.agrees = false;
     if (run.stop) continue;
-    result.failures.push_back("closure " + closure.id + " " + at_time(scene.time) +
+    result.failures.push_back("closure " + closure.id + " " + at_time(solved.time) +
                               " is on no branch");
   }
   return matched;
@@ -114,18 +114,18 @@ std::size_t enter_lone_closures(const MotionRun& run, const Scene& scene, Checkp
 
 /// Enters branches that are at no closure of their own; returns the number of all branches that are
 /// there.
-std::size_t enter_lone_branches(const MotionRun& run, const Scene& scene, Checkpoint& row,
-                                MotionResult& result) {
-  const auto& found = scene.track_of;
+std::size_t enter_lone_branches(const MotionRun& run, const SolvedCheckpoint& solved,
+                                Checkpoint& row, MotionResult& result) {
+  const auto& found = solved.track_of;
   std::size_t present = 0;
   for (std::size_t k = 0; k < run.tracks.size(); ++k) {
-    if (run.tracks[k].at(scene.time) == nullptr) continue;
+    if (run.tracks[k].at(solved.time) == nullptr) continue;
     ++present;
     const bool is_found = std::find(found.begin(), found.end(), k) != found.end();
-    if (is_found || scene.closures.moves) continue;
+    if (is_found || solved.closures.moves) continue;
     row.agrees = false;
     if (run.stop) continue;
-    result.failures.push_back("branch " + result.branches[k].id + " " + at_time(scene.time) +
+    result.failures.push_back("branch " + result.branches[k].id + " " + at_time(solved.time) +
                               " is at no closure of its own that was found there");
   }
   return present;
@@ -201,23 +201,23 @@ void enter_branches(const MotionRun& run, MotionResult& result) {
   order_events(result);
 }
 
-void enter_checkpoint(const MotionRun& run, const Scene& scene, MotionResult& result) {
+void enter_checkpoint(const MotionRun& run, const SolvedCheckpoint& solved, MotionResult& result) {
   Checkpoint row;
-  row.time = scene.time;
-  row.drivers = driver_values(run.mechanism, scene.time);
-  row.counts = scene.closures.counts;
-  row.paths = scene.closures.paths;
-  row.agrees = scene.closures.complete;
-  row.message = scene.closures.message;
-  const std::size_t matched = enter_lone_closures(run, scene, row, result);
-  const std::size_t present = enter_lone_branches(run, scene, row, result);
+  row.time = solved.time;
+  row.drivers = driver_values(run.mechanism, solved.time);
+  row.counts = solved.closures.counts;
+  row.paths = solved.closures.paths;
+  row.agrees = solved.closures.complete;
+  row.message = solved.closures.message;
+  const std::size_t matched = enter_lone_closures(run, solved, row, result);
+  const std::size_t present = enter_lone_branches(run, solved, row, result);
   if (row.agrees) {
     row.message = "one to one: " + counted(matched, "closure") + ", " +
                   counted(present, "branch", "branches");
   } else if (run.stop) {
     row.message = kNotCompared;
-  } else if (!scene.closures.complete) {
-    result.failures.push_back("closures " + at_time(scene.time) + ": " + scene.closures.message);
+  } else if (!solved.closures.complete) {
+    result.failures.push_back("closures " + at_time(solved.time) + ": " + solved.closures.message);
   }
   result.checkpoints.push_back(std::move(row));
 }

@@ -11,7 +11,7 @@
 // failures, a sentence each.
 #pragma once
 
-#include "scene.h"
+#include "solved_checkpoint.h"
 
 namespace moivre {
 
@@ -35,7 +35,7 @@ void order_events(MotionResult& result);
 
 /// Enters the checkpoint's row, and what does not agree there; after enter_branches(), which gives
 /// the ids.
-void enter_checkpoint(const MotionRun& run, const Scene& scene, MotionResult& result);
+void enter_checkpoint(const MotionRun& run, const SolvedCheckpoint& solved, MotionResult& result);
 
 /// Enters the branches that do not lead back to where they were found.
 void enter_unverified(const MotionRun& run, MotionResult& result);

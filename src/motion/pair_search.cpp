@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pairs of scenes, followed once each, and the times that part the motion.
+// Pairs of checkpoints, followed once each, and the times that part the motion.
 #include "pair_search.h"
 
 #include <algorithm>
@@ -21,11 +21,11 @@ namespace {
 
 // Of a stretch: no mechanism is symmetric about this place.
 constexpr double kWithin = 0.4472;
-// Another place of the same stretch for each further scene: by the golden section no two are near
-// each other.
+// Another place of the same stretch for each further checkpoint: by the golden section no two are
+// near each other.
 constexpr double kGolden = 0.6180339887498949;
 constexpr int kMostTries = 5;
-// Of the motion: what is lost sooner shows nothing of the times beside a scene.
+// Of the motion: what is lost sooner shows nothing of the times beside a checkpoint.
 constexpr double kLostAtOnce = 1e-3;
 // Values of one pair that were found twice, in units.
 constexpr double kSamePair = 1e-6;
@@ -96,7 +96,7 @@ void PairSearch::prepare() {
 
 /// The pairs that a closure which is not real belongs to: in each block that is the first one not
 /// real.
-void PairSearch::enter_pairs(const Point& root, PairScene& scene) {
+void PairSearch::enter_pairs(const Point& root, PairScene& solved) {
   for (std::size_t block = 0; block < equations_.size(); ++block) {
     if (equations_[block] == nullptr) continue;
     const PairEquations& equations = *equations_[block];
@@ -111,38 +111,38 @@ void PairSearch::enter_pairs(const Point& root, PairScene& scene) {
     }
     if (needed > kHolds * size || own <= kHolds * size) continue;
     const bool is_known =
-        std::any_of(scene.pairs.begin(), scene.pairs.end(), [&](const KnownPair& pair) {
+        std::any_of(solved.pairs.begin(), solved.pairs.end(), [&](const KnownPair& pair) {
           return pair.block == block &&
                  std::min(max_distance(pair.x, x), max_distance(pair.x, image)) <= kSamePair * size;
         });
-    if (!is_known) scene.pairs.push_back({block, x, false});
+    if (!is_known) solved.pairs.push_back({block, x, false});
   }
 }
 
-void PairSearch::enter(const Scene& scene) {
+void PairSearch::enter(const SolvedCheckpoint& solved) {
   PairScene entered;
-  entered.time = scene.time;
-  entered.is_complete = scene.closures.complete;
-  entered.are_apart = scene.are_apart;
-  entered.closures = scene.distinct;
-  for (const Solution& closure : scene.closures.solutions) {
+  entered.time = solved.time;
+  entered.is_complete = solved.closures.complete;
+  entered.are_apart = solved.are_apart;
+  entered.closures = solved.distinct;
+  for (const Solution& closure : solved.closures.solutions) {
     if (closure.real || closure.singular) continue;
     prepare();
     enter_pairs(closure.x, entered);
   }
-  scenes_.push_back(std::move(entered));
+  checkpoints_.push_back(std::move(entered));
 }
 
 void PairSearch::tell(const std::string& doubt) {
   if (std::find(doubts_.begin(), doubts_.end(), doubt) == doubts_.end()) doubts_.push_back(doubt);
 }
 
-/// A pair at a scene; false where the curve is back at its beginning.
-bool PairSearch::pass(std::size_t scene, std::size_t block, const Point& x,
+/// A pair at a checkpoint; false where the curve is back at its beginning.
+bool PairSearch::pass(std::size_t solved, std::size_t block, const Point& x,
                       const KnownPair& begun) {
   const Point image = equations_[block]->image(x);
   const double most = kSamePair * std::max(1.0, max_norm(x));
-  for (KnownPair& pair : scenes_[scene].pairs) {
+  for (KnownPair& pair : checkpoints_[solved].pairs) {
     if (pair.block != block ||
         std::min(max_distance(pair.x, x), max_distance(pair.x, image)) > most) {
       continue;
@@ -150,24 +150,24 @@ bool PairSearch::pass(std::size_t scene, std::size_t block, const Point& x,
     pair.is_passed = true;
     return &pair != &begun;
   }
-  scenes_[scene].lacks_pair = true;
+  checkpoints_[solved].lacks_pair = true;
   return true;
 }
 
 /// Whether all closures are there and apart, complex ones too: at some times a few are at infinity,
 /// or meet.
-bool PairSearch::is_regular(const PairScene& scene) const {
-  return scene.are_apart &&
-         std::all_of(scenes_.begin(), scenes_.end(),
-                     [&](const PairScene& other) { return other.closures <= scene.closures; });
+bool PairSearch::is_regular(const PairScene& solved) const {
+  return solved.are_apart &&
+         std::all_of(checkpoints_.begin(), checkpoints_.end(),
+                     [&](const PairScene& other) { return other.closures <= solved.closures; });
 }
 
 std::vector<std::string> PairSearch::doubts() const {
   std::vector<std::string> all = doubts_;
   all.insert(all.end(), unclear_.begin(), unclear_.end());
-  for (const PairScene& scene : scenes_) {
-    if (!scene.lacks_pair || !scene.is_complete || !is_regular(scene)) continue;
-    all.push_back("a pair of complex closures that is there " + at_time(scene.time) +
+  for (const PairScene& solved : checkpoints_) {
+    if (!solved.lacks_pair || !solved.is_complete || !is_regular(solved)) continue;
+    all.push_back("a pair of complex closures that is there " + at_time(solved.time) +
                   " is not among those that were solved");
   }
   return all;
@@ -258,11 +258,11 @@ void PairSearch::lose(double time) {
   borders_.push_back(time);
 }
 
-void PairSearch::follow(std::size_t scene, std::size_t pair) {
-  KnownPair& begun = scenes_[scene].pairs[pair];
+void PairSearch::follow(std::size_t solved, std::size_t pair) {
+  KnownPair& begun = checkpoints_[solved].pairs[pair];
   const PairEquations& equations = *equations_[begun.block];
   std::vector<double> times;
-  for (const PairScene& other : scenes_) times.push_back(other.time);
+  for (const PairScene& other : checkpoints_) times.push_back(other.time);
   begun.is_passed = true;
   bool has_come_back = false;
   for (const bool forwards : {true, false}) {
@@ -271,31 +271,32 @@ void PairSearch::follow(std::size_t scene, std::size_t pair) {
       has_come_back = !pass(number, begun.block, x, begun);
       return !has_come_back;
     };
-    const PairCurve curve =
-        follow_pair(equations, begun.x, scenes_[scene].time, forwards, times, passing, run_.stop);
+    const PairCurve curve = follow_pair(equations, begun.x, checkpoints_[solved].time, forwards,
+                                        times, passing, run_.stop);
     take(equations, curve);
     // Beyond a place where a curve is lost closures are solved again.
     if (!curve.is_lost || run_.stop) continue;
-    const double way = std::abs(curve.last - scenes_[scene].time);
-    const bool goes_out = scenes_[scene].time == (forwards ? run_.options.to : run_.options.from);
+    const double way = std::abs(curve.last - checkpoints_[solved].time);
+    const bool goes_out =
+        checkpoints_[solved].time == (forwards ? run_.options.to : run_.options.from);
     if (way > kLostAtOnce * equations.duration()) {
       lose(curve.last);
     } else if (!goes_out) {
-      scenes_[scene].leads_on = false;
+      checkpoints_[solved].leads_on = false;
     }
   }
 }
 
-void PairSearch::follow(const std::vector<Scene>& scenes) {
-  for (const Scene& scene : scenes) {
-    const bool is_known = std::any_of(scenes_.begin(), scenes_.end(), [&](const PairScene& known) {
-      return known.time == scene.time;
-    });
-    if (!is_known) enter(scene);
+void PairSearch::follow(const std::vector<SolvedCheckpoint>& checkpoints) {
+  for (const SolvedCheckpoint& solved : checkpoints) {
+    const bool is_known =
+        std::any_of(checkpoints_.begin(), checkpoints_.end(),
+                    [&](const PairScene& known) { return known.time == solved.time; });
+    if (!is_known) enter(solved);
   }
-  for (std::size_t k = 0; k < scenes_.size(); ++k) {
-    for (std::size_t j = 0; j < scenes_[k].pairs.size() && !run_.stop; ++j) {
-      if (!scenes_[k].pairs[j].is_passed) follow(k, j);
+  for (std::size_t k = 0; k < checkpoints_.size(); ++k) {
+    for (std::size_t j = 0; j < checkpoints_[k].pairs.size() && !run_.stop; ++j) {
+      if (!checkpoints_[k].pairs[j].is_passed) follow(k, j);
     }
   }
 }
@@ -309,31 +310,31 @@ std::vector<double> PairSearch::event_times() const {
   return times;
 }
 
-/// Whether the scene lies in the stretch and tells of all of it. One at either end of the motion
-/// does, unless an event lies beside it.
-bool PairSearch::shows(const PairScene& scene, double from, double to,
+/// Whether the checkpoint lies in the stretch and tells of all of it. One at either end of the
+/// motion does, unless an event lies beside it.
+bool PairSearch::shows(const PairScene& solved, double from, double to,
                        const std::vector<double>& events) const {
   // What was not decided is told, and solving beside it helps as little.
-  if (scene.is_complete && (!is_regular(scene) || !scene.leads_on)) return false;
-  if (scene.time != run_.options.from && scene.time != run_.options.to) {
-    return scene.time > from && scene.time < to;
+  if (solved.is_complete && (!is_regular(solved) || !solved.leads_on)) return false;
+  if (solved.time != run_.options.from && solved.time != run_.options.to) {
+    return solved.time > from && solved.time < to;
   }
   const double least = kBriefest * (run_.options.to - run_.options.from);
-  return (scene.time == from || scene.time == to) &&
+  return (solved.time == from || solved.time == to) &&
          std::none_of(events.begin(), events.end(), [&](double time) {
-           return scene.time != time && std::abs(scene.time - time) <= least;
+           return solved.time != time && std::abs(solved.time - time) <= least;
          });
 }
 
-/// Where to solve closures next in a stretch that no scene shows; nullopt, and a note, after a few
-/// times.
+/// Where to solve closures next in a stretch that no checkpoint shows; nullopt, and a note, after a
+/// few times.
 std::optional<double> PairSearch::next_time(double from, double to) {
   std::uint64_t tries = 0;
   bool are_regular = true;
-  for (const PairScene& scene : scenes_) {
-    if (scene.time <= from || scene.time >= to) continue;
+  for (const PairScene& solved : checkpoints_) {
+    if (solved.time <= from || solved.time >= to) continue;
     ++tries;
-    are_regular = are_regular && is_regular(scene);
+    are_regular = are_regular && is_regular(solved);
   }
   const double place = kWithin + kGolden * static_cast<double>(tries);
   if (tries < kMostTries) return from + (place - std::floor(place)) * (to - from);
@@ -348,13 +349,13 @@ std::optional<double> PairSearch::next_time(double from, double to) {
 
 std::optional<std::string> PairSearch::sampled() const {
   if (sampled_.empty()) return std::nullopt;
-  std::uint64_t scenes = 0;
-  for (const Stretch& stretch : sampled_) scenes += stretch.scenes;
+  std::uint64_t checkpoints = 0;
+  for (const Stretch& stretch : sampled_) checkpoints += stretch.checkpoints;
   const std::string parts =
       sampled_.size() == 1 ? "" : "in " + std::to_string(sampled_.size()) + " stretches ";
   return "pairs of complex closures cannot be followed " + parts +
          between(sampled_.front().from, sampled_.back().to) + "; closures were solved there " +
-         counted(scenes, "time");
+         counted(checkpoints, "time");
 }
 
 std::vector<double> PairSearch::open_times() {
@@ -370,18 +371,18 @@ std::vector<double> PairSearch::open_times() {
   for (std::size_t k = 1; k < parts.size(); ++k) {
     const double from = parts[k - 1];
     const double to = parts[k];
-    const bool is_seen = to - from <= least ||
-                         std::any_of(scenes_.begin(), scenes_.end(), [&](const PairScene& scene) {
-                           return shows(scene, from, to, events);
-                         });
+    const bool is_seen = to - from <= least || std::any_of(checkpoints_.begin(), checkpoints_.end(),
+                                                           [&](const PairScene& solved) {
+                                                             return shows(solved, from, to, events);
+                                                           });
     if (is_seen) continue;
     if (const auto time = next_time(from, to)) open.push_back(*time);
   }
   for (Stretch place : lost_) {
     if (!(place.to > place.from)) continue;
-    place.scenes = static_cast<std::uint64_t>(
-        std::count_if(scenes_.begin(), scenes_.end(), [&](const PairScene& scene) {
-          return scene.time >= place.from && scene.time <= place.to;
+    place.checkpoints = static_cast<std::uint64_t>(
+        std::count_if(checkpoints_.begin(), checkpoints_.end(), [&](const PairScene& solved) {
+          return solved.time >= place.from && solved.time <= place.to;
         }));
     sampled_.push_back(place);
   }
@@ -389,9 +390,10 @@ std::vector<double> PairSearch::open_times() {
             [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
   for (const double time : fold_backs_) {
     const auto is_there = [&](double other) { return std::abs(other - time) <= least; };
-    const bool is_seen = std::any_of(open.begin(), open.end(), is_there) ||
-                         std::any_of(scenes_.begin(), scenes_.end(),
-                                     [&](const PairScene& scene) { return is_there(scene.time); });
+    const bool is_seen =
+        std::any_of(open.begin(), open.end(), is_there) ||
+        std::any_of(checkpoints_.begin(), checkpoints_.end(),
+                    [&](const PairScene& solved) { return is_there(solved.time); });
     if (!is_seen) open.push_back(time);
   }
   return open;
@@ -399,25 +401,26 @@ std::vector<double> PairSearch::open_times() {
 
 std::vector<Track> PairSearch::take_brief() { return std::exchange(brief_, {}); }
 
-void search_pairs(MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes,
-                  PairSearch& pairs, std::size_t most_times) {
-  const std::size_t at_first = scenes.size();
+void search_pairs(MotionRun& run, const Tracker& tracker,
+                  std::vector<SolvedCheckpoint>& checkpoints, PairSearch& pairs,
+                  std::size_t most_times) {
+  const std::size_t at_first = checkpoints.size();
   while (!run.stop) {
-    pairs.follow(scenes);
+    pairs.follow(checkpoints);
     std::vector<Track> brief = pairs.take_brief();
     const bool is_new = !brief.empty();
     std::move(brief.begin(), brief.end(), std::back_inserter(run.tracks));
     const std::vector<double> open = pairs.open_times();
     if (!is_new && open.empty()) return;
-    if (scenes.size() - at_first + open.size() > most_times) {
+    if (checkpoints.size() - at_first + open.size() > most_times) {
       pairs.tell("closures were solved between neighbouring events " +
-                 counted(scenes.size() - at_first, "time") +
+                 counted(checkpoints.size() - at_first, "time") +
                  ", and more events came to light each time" +
                  (open.empty() ? "" : "; none was solved " + at_time(open.front())));
       return;
     }
-    add_scenes(run, tracker, open, scenes);
-    reconcile(run, scenes);
+    add_checkpoints(run, tracker, open, checkpoints);
+    reconcile(run, checkpoints);
   }
 }
 

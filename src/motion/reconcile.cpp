@@ -14,11 +14,11 @@ constexpr int kMaximumRetracks = 4;
 // New tracks bring new partners and new conflicts; each round settles all it sees.
 constexpr int kRounds = 20;
 
-bool is_same_all_along(const MotionRun& run, const std::vector<Scene>& scenes, const Track& a,
-                       const Track& b) {
-  return std::all_of(scenes.begin(), scenes.end(), [&](const Scene& scene) {
-    const BranchSample* of_a = a.at(scene.time);
-    const BranchSample* of_b = b.at(scene.time);
+bool is_same_all_along(const MotionRun& run, const std::vector<SolvedCheckpoint>& checkpoints,
+                       const Track& a, const Track& b) {
+  return std::all_of(checkpoints.begin(), checkpoints.end(), [&](const SolvedCheckpoint& solved) {
+    const BranchSample* of_a = a.at(solved.time);
+    const BranchSample* of_b = b.at(solved.time);
     if (of_a == nullptr || of_b == nullptr) return of_a == of_b;
     return is_same_pose(run.phi, of_a->q, of_b->q);
   });
@@ -27,10 +27,11 @@ bool is_same_all_along(const MotionRun& run, const std::vector<Scene>& scenes, c
 /// Two tracks at one closure: the younger goes where it is a copy, else both are followed again
 /// with shorter steps.
 /// False when nothing more can be done.
-bool part(MotionRun& run, const std::vector<Scene>& scenes, std::size_t first, std::size_t second) {
+bool part(MotionRun& run, const std::vector<SolvedCheckpoint>& checkpoints, std::size_t first,
+          std::size_t second) {
   Track& older = run.tracks[first];
   Track& younger = run.tracks[second];
-  if (!younger.is_from_start && is_same_all_along(run, scenes, older, younger)) {
+  if (!younger.is_from_start && is_same_all_along(run, checkpoints, older, younger)) {
     run.tracks.erase(run.tracks.begin() + static_cast<std::ptrdiff_t>(second));
     return true;
   }
@@ -41,15 +42,16 @@ bool part(MotionRun& run, const std::vector<Scene>& scenes, std::size_t first, s
 }
 
 /// True when a track was changed or added, so that the checkpoints want another look.
-bool settle(MotionRun& run, const std::vector<Scene>& scenes, Scene& scene) {
-  const auto conflict = match(run, scene);
-  if (conflict && part(run, scenes, conflict->first, conflict->second)) return true;
-  for (std::size_t j = 0; j < scene.track_of.size() && !run.stop; ++j) {
-    const Closure& closure = scene.closures.closures[j];
-    if (scene.track_of[j] || is_event_of_a_track(run, scene.time, closure.q)) continue;
-    if (is_instant(run, scene.time, closure)) continue;
+bool settle(MotionRun& run, const std::vector<SolvedCheckpoint>& checkpoints,
+            SolvedCheckpoint& solved) {
+  const auto conflict = match(run, solved);
+  if (conflict && part(run, checkpoints, conflict->first, conflict->second)) return true;
+  for (std::size_t j = 0; j < solved.track_of.size() && !run.stop; ++j) {
+    const Closure& closure = solved.closures.closures[j];
+    if (solved.track_of[j] || is_event_of_a_track(run, solved.time, closure.q)) continue;
+    if (is_instant(run, solved.time, closure)) continue;
     run.tracks.push_back(
-        run.follower.follow({scene.time, closure.q}, stands_alone(run.phi, scene, j)));
+        run.follower.follow({solved.time, closure.q}, stands_alone(run.phi, solved, j)));
     return true;
   }
   return false;
@@ -81,29 +83,30 @@ bool add_partner(MotionRun& run) {
 /// The checkpoints that a track passes, determined, one way from its anchor: where to turn back,
 /// and the times of the way.
 struct WayBack {
-  const Scene* last = nullptr;  ///< the farthest from the anchor; nullptr: there is none
-  std::vector<double> times;    ///< from there to the anchor
+  const SolvedCheckpoint* last = nullptr;  ///< the farthest from the anchor; nullptr: there is none
+  std::vector<double> times;               ///< from there to the anchor
 };
 
-WayBack way_back(const std::vector<Scene>& scenes, const Track& track, bool is_forwards) {
+WayBack way_back(const std::vector<SolvedCheckpoint>& checkpoints, const Track& track,
+                 bool is_forwards) {
   WayBack back;
   back.times.push_back(track.anchor.time);
-  for (const Scene& scene : scenes) {
+  for (const SolvedCheckpoint& solved : checkpoints) {
     const bool is_on_the_way =
-        is_forwards ? scene.time > track.anchor.time : scene.time < track.anchor.time;
-    const BranchSample* sample = track.at(scene.time);
+        is_forwards ? solved.time > track.anchor.time : solved.time < track.anchor.time;
+    const BranchSample* sample = track.at(solved.time);
     if (!is_on_the_way || sample == nullptr || !sample->is_determined) continue;
-    if (back.last == nullptr || is_forwards) back.last = &scene;
-    back.times.insert(is_forwards ? back.times.begin() : back.times.end() - 1, scene.time);
+    if (back.last == nullptr || is_forwards) back.last = &solved;
+    back.times.insert(is_forwards ? back.times.begin() : back.times.end() - 1, solved.time);
   }
   return back;
 }
 
 /// Whether the way back, from the closure that was solved at the track's last checkpoint, is the
 /// way there.
-bool leads_back(const MotionRun& run, const std::vector<Scene>& scenes, const Track& track,
-                bool is_forwards) {
-  const WayBack way = way_back(scenes, track, is_forwards);
+bool leads_back(const MotionRun& run, const std::vector<SolvedCheckpoint>& checkpoints,
+                const Track& track, bool is_forwards) {
+  const WayBack way = way_back(checkpoints, track, is_forwards);
   if (way.last == nullptr) return true;
   const auto start = nearest_closure(run.phi, *way.last, track.at(way.last->time)->q);
   if (!start) return true;
@@ -117,11 +120,11 @@ bool leads_back(const MotionRun& run, const std::vector<Scene>& scenes, const Tr
 }
 
 /// Follows tracks back; those that do not lead back are followed again. True when there were such.
-bool verify(MotionRun& run, const std::vector<Scene>& scenes) {
+bool verify(MotionRun& run, const std::vector<SolvedCheckpoint>& checkpoints) {
   bool is_changed = false;
   for (Track& track : run.tracks) {
     if (track.is_verified || track.retracked > kMaximumRetracks || run.stop) continue;
-    if (leads_back(run, scenes, track, true) && leads_back(run, scenes, track, false)) {
+    if (leads_back(run, checkpoints, track, true) && leads_back(run, checkpoints, track, false)) {
       track.is_verified = true;
       continue;
     }
@@ -133,13 +136,14 @@ bool verify(MotionRun& run, const std::vector<Scene>& scenes) {
 
 }  // namespace
 
-void reconcile(MotionRun& run, std::vector<Scene>& scenes) {
+void reconcile(MotionRun& run, std::vector<SolvedCheckpoint>& checkpoints) {
   for (int round = 0; round < kRounds * static_cast<int>(1 + run.tracks.size()) && !run.stop;
        ++round) {
     bool is_settled = true;
-    for (Scene& scene : scenes) is_settled = is_settled && !settle(run, scenes, scene);
+    for (SolvedCheckpoint& solved : checkpoints)
+      is_settled = is_settled && !settle(run, checkpoints, solved);
     if (is_settled) is_settled = !add_partner(run);
-    if (is_settled) is_settled = !verify(run, scenes);
+    if (is_settled) is_settled = !verify(run, checkpoints);
     if (is_settled) return;
   }
 }

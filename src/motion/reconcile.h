@@ -15,10 +15,10 @@
 // What does not agree in the end, the result says (motion_record.h).
 #pragma once
 
-#include "scene.h"
+#include "solved_checkpoint.h"
 
 namespace moivre {
 
-void reconcile(MotionRun& run, std::vector<Scene>& scenes);
+void reconcile(MotionRun& run, std::vector<SolvedCheckpoint>& checkpoints);
 
 }  // namespace moivre

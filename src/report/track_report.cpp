@@ -13,7 +13,7 @@ namespace {
 std::string cell(Complex x) { return ',' + exact_text(x.real()) + ',' + exact_text(x.imag()); }
 
 Json step_json(const TraceStep& step) {
-  return {{"journey", step.journey},
+  return {{"journey", step.segment},
           {"s", to_json(step.s)},
           {"t", to_json(step.t)},
           {"x", to_json(step.x)},
@@ -51,7 +51,7 @@ std::string track_csv(const Trace& trace) {
   for (const std::string& name : trace.system.variables) text += ',' + name + ".re," + name + ".im";
   text += ",h_before,h_after,correction,step,order\n";
   for (const TraceStep& step : trace.steps) {
-    text += std::to_string(step.journey) + ',' + exact_text(step.s) + cell(step.t);
+    text += std::to_string(step.segment) + ',' + exact_text(step.s) + cell(step.t);
     for (const Complex& xi : step.x) text += cell(xi);
     for (const double x : {step.h_before, step.h_after, step.correction, step.step}) {
       text += ',' + exact_text(x);

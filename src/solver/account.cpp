@@ -35,12 +35,12 @@ constexpr std::uint64_t PathCounts::*kCounts[]{
 
 /// Of the cycles of a group; none where its multiplicity was counted, not seen.
 std::vector<int> windings(const Run& run, const std::vector<std::uint64_t>& group) {
-  const Root& first = run.ledger.roots().at(group.front());
+  const Root& first = run.table.roots().at(group.front());
   if (first.is_exact && !first.winding) return {};
-  return cycles(run.ledger, group).value_or(std::vector<int>(group.size(), 1));
+  return cycles(run.table, group).value_or(std::vector<int>(group.size(), 1));
 }
 
-/// Which solution each path of the ledger leads to; solutions are in the order of their paths.
+/// Which solution each path of the table leads to; solutions are in the order of their paths.
 void enter_places(const PathGroups& groups, SolveResult& result) {
   const auto begin = result.solutions.begin();
   for (const auto& group : groups) {
@@ -76,7 +76,7 @@ Outcome outcome_of(const Run& run) {
 void enter_simple_ones(const Run& run, const std::vector<std::uint64_t>& group, Outcome& outcome) {
   std::vector<const Certificate*> taken;
   for (const std::uint64_t path : group) {
-    const Certificate* proof = run.ledger.roots().at(path).certificate.get();
+    const Certificate* proof = run.table.roots().at(path).certificate.get();
     const bool is_new = proof != nullptr && std::all_of(taken.begin(), taken.end(), [&](auto* one) {
                           return relation(*one, *proof) == Relation::distinct;
                         });
@@ -92,22 +92,22 @@ void enter_simple_ones(const Run& run, const std::vector<std::uint64_t>& group, 
 /// Singular ends: whole cycles at a root that is known to be isolated, or ends on a set that is
 /// known.
 bool is_known_to_stand(const Run& run, const std::vector<std::uint64_t>& group) {
-  const Root& first = run.ledger.roots().at(group.front());
+  const Root& first = run.table.roots().at(group.front());
   if (first.is_exact) return true;
   if (!first.on_set) return false;
-  return *first.on_set != SetHere::none || (group.size() > 1 && cycles(run.ledger, group));
+  return *first.on_set != SetHere::none || (group.size() > 1 && cycles(run.table, group));
 }
 
 /// What an interrupted run has found out without looking further.
 Outcome outcome_so_far(const Run& run) {
   Outcome outcome;
-  for (const auto& [path, failure] : run.ledger.failures()) outcome.failures.push_back(failure);
-  for (const std::uint64_t path : run.ledger.refuted()) outcome.open.push_back(path);
-  for (auto& group : run.ledger.groups()) {
-    const Root& first = run.ledger.roots().at(group.front());
+  for (const auto& [path, failure] : run.table.failures()) outcome.failures.push_back(failure);
+  for (const std::uint64_t path : run.table.refuted()) outcome.open.push_back(path);
+  for (auto& group : run.table.groups()) {
+    const Root& first = run.table.roots().at(group.front());
     const bool is_one_simple = group.size() == 1 && first.point.simple;
     const bool are_singular = std::none_of(group.begin(), group.end(), [&](std::uint64_t path) {
-      return run.ledger.roots().at(path).point.simple;
+      return run.table.roots().at(path).point.simple;
     });
     if (is_one_simple || (are_singular && is_known_to_stand(run, group))) {
       outcome.groups.push_back(std::move(group));
@@ -140,7 +140,7 @@ std::vector<bool> are_on_sets(const Run& run, const PathGroups& groups) {
   std::vector<bool> result;
   result.reserve(groups.size());
   for (const auto& group : groups) {
-    const Root& first = run.ledger.roots().at(group.front());
+    const Root& first = run.table.roots().at(group.front());
     result.push_back(!first.point.simple && is_on_set(run, first));
   }
   return result;
@@ -154,7 +154,7 @@ void give_back_pages() {
 #endif
 }
 
-/// What is told of a root is no longer kept in the ledger: both at once would take twice the
+/// What is told of a root is no longer kept in the table: both at once would take twice the
 /// memory.
 void enter_solutions(Run& run, const PathGroups& groups, const std::vector<bool>& on_sets,
                      SolveResult& result) {
@@ -169,7 +169,7 @@ void enter_solutions(Run& run, const PathGroups& groups, const std::vector<bool>
     } else {
       result.solutions.push_back(solution_of(run, group, windings(run, group)));
     }
-    for (const std::uint64_t path : group) run.ledger.release(path);
+    for (const std::uint64_t path : group) run.table.release(path);
     if (k % kRootsBetweenPages == kRootsBetweenPages - 1) give_back_pages();
   }
   const auto by_path = [](const Solution& a, const Solution& b) { return a.path < b.path; };
@@ -202,9 +202,9 @@ void count_paths(const std::vector<PathRecord>& records, PathCounts& counts) {
 /// A path without an entry could not be said to be lost: a fault of ours.
 void require_all_entries(const Run& run) {
   const std::uint64_t paths = run.setting.prepared.plan->paths;
-  if (run.interrupted || run.ledger.tracked() == paths) return;
+  if (run.interrupted || run.table.tracked() == paths) return;
   throw std::logic_error("of " + counted(paths, "path") + " only " +
-                         std::to_string(run.ledger.tracked()) + " have a verdict");
+                         std::to_string(run.table.tracked()) + " have a verdict");
 }
 
 /// Of a singular root that is told as `best`. Ends further away than both are known to be may be
@@ -213,7 +213,7 @@ double accuracy_of_group(const Run& run, const std::vector<std::uint64_t>& group
                          const Refined& best) {
   double accuracy = kSingularMargin * best.accuracy;
   for (const std::uint64_t path : group) {
-    const Refined& end = run.ledger.roots().at(path).point;
+    const Refined& end = run.table.roots().at(path).point;
     const double apart = relative_distance(best.x, end.x);
     if (apart > best.accuracy + end.accuracy) accuracy = std::max(accuracy, apart + end.accuracy);
   }
@@ -233,7 +233,7 @@ double radius_of_cluster(const Run& run, const std::vector<std::uint64_t>& group
   const double share = std::max(best.residual, kRoundingOfResidual);
   double radius = kSingularMargin * std::pow(share, 1 / static_cast<double>(group.size()));
   for (const std::uint64_t path : group) {
-    const Root& end = run.ledger.roots().at(path);
+    const Root& end = run.table.roots().at(path);
     radius = std::max(radius, relative_distance(best.x, end.point.x) + end.tolerance);
   }
   return radius;
@@ -253,7 +253,7 @@ PathCounts& PathCounts::operator*=(std::uint64_t sheets) {
 
 Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
                      const std::vector<int>& winding) {
-  const auto& roots = run.ledger.roots();
+  const auto& roots = run.table.roots();
   const auto best = std::min_element(group.begin(), group.end(), [&](auto a, auto b) {
     return roots.at(a).point.accuracy < roots.at(b).point.accuracy;
   });
@@ -280,7 +280,7 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
     solution.radius = solution.accuracy * std::max(1.0, max_norm(point.x));
   }
   for (const std::uint64_t path : group) {
-    solution.precision = std::max(solution.precision, run.ledger.precision(path));
+    solution.precision = std::max(solution.precision, run.table.precision(path));
   }
   if (solution.real && is_real(run.setting.f)) {
     for (Complex& xi : solution.x) xi.imag(0);
@@ -297,11 +297,11 @@ void put_in_doubt(SolveResult& result, std::string why) {
 
 void close_account(Run& run, SolveResult& result) {
   require_all_entries(run);
-  result.ledger = run.ledger.records();
+  result.ledger = run.table.records();
   Outcome outcome = run.interrupted ? outcome_so_far(run) : outcome_of(run);
   const std::vector<bool> on_sets = are_on_sets(run, outcome.groups);
   const bool lacks_image =
-      !run.bounds.met && is_real(run.setting.f) && !missing_conjugates(run.ledger).empty();
+      !run.bounds.met && is_real(run.setting.f) && !missing_conjugates(run.table).empty();
   const auto proved = run.interrupted ? std::nullopt : roots_to_compare(run);
   enter_verdicts(outcome, result);
   enter_solutions(run, outcome.groups, on_sets, result);
@@ -318,7 +318,7 @@ void close_account(Run& run, SolveResult& result) {
                    : result.paths.failed > 0 ? "some paths failed"
                                              : "a root's conjugate is missing among the roots";
   tell_completeness(run, result);
-  const std::uint64_t as_rounded = run.ledger.count(PathVerdict::as_rounded);
+  const std::uint64_t as_rounded = run.table.count(PathVerdict::as_rounded);
   if (as_rounded == 0) return;
   result.left_out.push_back({"what the file's digits do not tell",
                              counted(as_rounded, "path") + (as_rounded == 1 ? " ends" : " end") +

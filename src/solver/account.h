@@ -18,7 +18,7 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
                      const std::vector<int>& winding);
 
 /// Fills counts, solutions, failures, work, the verdict and its sentence. Roots that are told are
-/// then no longer in the ledger. Throws Interrupted, the ledger as it was.
+/// then no longer in the table. Throws Interrupted, the table as it was.
 void close_account(Run& run, SolveResult& result);
 
 /// What was found later leaves the result in doubt, whatever its account says.

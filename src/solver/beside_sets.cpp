@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <map>
 
-#include "climbs.h"
 #include "clusters.h"
 #include "coincidence.h"
 #include "completeness.h"
 #include "ends.h"
 #include "judge.h"
+#include "more_digits.h"
 #include "tracking.h"
 
 namespace moivre {
@@ -25,7 +25,7 @@ PathSet paths_to_sets(const Run& run, SetHere kind) {
   for (const auto& group : judge(run).roots) {
     const EndsOfGroup ends = ends_of(run, group);
     if (ends.singular.empty()) continue;
-    if (set_of(run, run.ledger.roots().at(ends.singular.front())) != kind) continue;
+    if (set_of(run, run.table.roots().at(ends.singular.front())) != kind) continue;
     paths.insert(ends.singular.begin(), ends.singular.end());
   }
   return paths;
@@ -42,12 +42,12 @@ class MeetingSheets {
   void follow() {
     const Trackers& trackers = run_.setting.trackers;
     if (trackers.fine_lanes) {
-      climb_together(run_, paths(), Taken::regular_ends);
+      raise_together(run_, paths(), Taken::regular_ends);
     } else {
-      climb(run_, first_of_one_end(), Taken::regular_ends);
+      raise_precision(run_, first_of_one_end(), Taken::regular_ends);
     }
     for (const auto& tracker : trackers.finer) {
-      climb_while_it_helps(run_, *tracker, paths(), [&] { return is_root_missing(run_); });
+      raise_while_it_helps(run_, *tracker, paths(), [&] { return is_root_missing(run_); });
       if (!is_root_missing(run_)) return;
     }
   }
@@ -58,19 +58,19 @@ class MeetingSheets {
   void conclude() {
     std::map<std::uint64_t, Point> elsewhere;
     for (const auto& [path, before] : before_) {
-      if (!run_.ledger.failures().contains(path)) continue;
-      const auto last = run_.ledger.last_points().find(path);
-      if (last != run_.ledger.last_points().end()) elsewhere.emplace(path, last->second);
-      run_.ledger.enter_root(path, Root(before));
+      if (!run_.table.failures().contains(path)) continue;
+      const auto last = run_.table.last_points().find(path);
+      if (last != run_.table.last_points().end()) elsewhere.emplace(path, last->second);
+      run_.table.enter_root(path, Root(before));
     }
     for (const auto& [path, before] : before_) {
-      const auto now = run_.ledger.roots().find(path);
-      if (now == run_.ledger.roots().end() || now->second.point.simple) continue;
-      if (is_broken(path, elsewhere)) run_.ledger.refute(path);
+      const auto now = run_.table.roots().find(path);
+      if (now == run_.table.roots().end() || now->second.point.simple) continue;
+      if (is_broken(path, elsewhere)) run_.table.refute(path);
     }
     const PathSet left = paths();
     for (const std::uint64_t path : left) {
-      if (misses_a_root(path)) run_.ledger.refute(path);
+      if (misses_a_root(path)) run_.table.refute(path);
     }
     for (const auto& group : judge(run_).roots) {
       // Paths to a set end at different points of it: two at one may be at a multiple root.
@@ -78,12 +78,12 @@ class MeetingSheets {
       const bool is_crowded = group.size() > 1 && !end.point.simple && is_on_set(run_, end);
       if (!is_crowded && !left.contains(group.front())) continue;
       if (!is_exactly_isolated(run_.setting.f, end)) continue;
-      for (const std::uint64_t path : group) run_.ledger.refute(path);
+      for (const std::uint64_t path : group) run_.table.refute(path);
     }
   }
 
  private:
-  const Root& root(std::uint64_t path) const { return run_.ledger.roots().at(path); }
+  const Root& root(std::uint64_t path) const { return run_.table.roots().at(path); }
 
   bool misses_a_root(std::uint64_t path) const {
     const auto& beside = root(path).beside;
@@ -137,14 +137,14 @@ void look_beside_sets(Run& run) {
 
 void look_at_blurred_sets(Run& run) {
   const PathSet paths = paths_to_sets(run, SetHere::blurred);
-  climb(run, paths, Taken::regular_ends);
+  raise_precision(run, paths, Taken::regular_ends);
   PathSet left;
   for (const std::uint64_t path : paths) {
-    const auto root = run.ledger.roots().find(path);
-    if (root != run.ledger.roots().end() && !root->second.point.simple) left.insert(path);
+    const auto root = run.table.roots().find(path);
+    if (root != run.table.roots().end() && !root->second.point.simple) left.insert(path);
   }
   if (run.interrupted || left.size() == paths.size()) return;
-  for (const std::uint64_t path : left) run.ledger.refute(path);
+  for (const std::uint64_t path : left) run.table.refute(path);
 }
 
 }  // namespace moivre

@@ -25,10 +25,10 @@ std::vector<std::vector<std::uint64_t>> parted(const Run& run, Certifier& certif
   std::vector<Certificate> certificates;
   std::vector<std::vector<std::uint64_t>> parts;
   for (const std::uint64_t path : group) {
-    const Root& root = run.ledger.roots().at(path);
+    const Root& root = run.table.roots().at(path);
     if (root.is_exact) {
       const auto same = std::find_if(parts.begin(), parts.end(), [&](const auto& part) {
-        return run.ledger.roots().at(part.front()).point.x == root.point.x;
+        return run.table.roots().at(part.front()).point.x == root.point.x;
       });
       (same == parts.end() ? parts.emplace_back() : *same).push_back(path);
       continue;
@@ -49,12 +49,12 @@ std::vector<std::vector<std::uint64_t>> parted(const Run& run, Certifier& certif
   return parts;
 }
 
-/// As Ledger::groups(), but one path alone ends at a simple root.
+/// As PathTable::groups(), but one path alone ends at a simple root.
 std::vector<std::vector<std::uint64_t>> groups_beside_sets(const Run& run) {
   std::vector<std::vector<std::uint64_t>> groups;
-  const auto& roots = run.ledger.roots();
+  const auto& roots = run.table.roots();
   const auto is_simple = [&](std::uint64_t path) { return roots.at(path).point.simple; };
-  for (auto& group : run.ledger.groups()) {
+  for (auto& group : run.table.groups()) {
     auto& beside = groups.emplace_back(std::move(group));
     if (beside.size() == 1 || std::none_of(beside.begin(), beside.end(), is_simple)) continue;
     const auto on_set = std::stable_partition(beside.begin(), beside.end(), [&](auto path) {
@@ -144,7 +144,7 @@ std::uint64_t proved_roots(const Setting& setting,
 
 std::uint64_t proved_roots(const Run& run) {
   std::vector<const Certificate*> certificates;
-  for (const auto& [path, root] : run.ledger.roots()) {
+  for (const auto& [path, root] : run.table.roots()) {
     if (root.certificate) certificates.push_back(root.certificate.get());
   }
   return different_roots(run.setting, certificates);

@@ -46,10 +46,10 @@ class Prover {
   Certifier double_certifier_;
 };
 
-/// Paths that end at one point as far as their ends are known, as Ledger::groups(). Groups of their
-/// own are ends that are proved to be different roots, by certificates or since they are known
-/// exactly, and ends on a set of positive dimension that passes beside a simple root. An end of
-/// which nothing is proved stays with the first of its group.
+/// Paths that end at one point as far as their ends are known, as PathTable::groups(). Groups of
+/// their own are ends that are proved to be different roots, by certificates or since they are
+/// known exactly, and ends on a set of positive dimension that passes beside a simple root. An end
+/// of which nothing is proved stays with the first of its group.
 std::vector<std::vector<std::uint64_t>> groups_of(const Run& run);
 
 /// So many different roots are proved: by these, none of them nullptr; by all certificates of a

@@ -122,10 +122,10 @@ PathGroups clusters_of(const Run& run) {
   PathGroups clusters;
   for (auto& group : judge(run).roots) {
     const bool is_cluster = std::none_of(group.begin(), group.end(), [&](std::uint64_t path) {
-      const Root& root = run.ledger.roots().at(path);
+      const Root& root = run.table.roots().at(path);
       return root.point.simple || root.is_exact;
     });
-    if (!is_cluster || is_on_set(run, run.ledger.roots().at(group.front()))) continue;
+    if (!is_cluster || is_on_set(run, run.table.roots().at(group.front()))) continue;
     clusters.push_back(std::move(group));
   }
   return clusters;
@@ -137,7 +137,7 @@ std::vector<Finding> findings_of(Run& run, std::span<const std::vector<std::uint
                                  Find find) {
   std::vector<Finding> findings(clusters.size());
   for_each_parallel(clusters.size(), run.setting.threads, [&](std::size_t k) {
-    findings[k] = find(run.ledger.roots().at(clusters[k].front()), clusters[k].size());
+    findings[k] = find(run.table.roots().at(clusters[k].front()), clusters[k].size());
   });
   if (run.setting.stop) run.interrupted = true;
   return findings;
@@ -154,11 +154,11 @@ bool conclude(Run& run, Refiner& refiner, const std::vector<std::uint64_t>& clus
   const bool are_all = are_new && proofs.size() == cluster.size();
   for (std::size_t i = 0; i < cluster.size(); ++i) {
     if (finding.is_on_curve) {
-      run.ledger.tell_curve(cluster[i]);
+      run.table.tell_curve(cluster[i]);
     } else if (are_all) {
-      run.ledger.enter_root(cluster[i], proved_root(refiner, proofs[i]));
+      run.table.enter_root(cluster[i], proved_root(refiner, proofs[i]));
     } else {
-      run.ledger.refute(cluster[i]);
+      run.table.refute(cluster[i]);
     }
   }
   return true;
@@ -169,15 +169,15 @@ bool conclude(Run& run, Refiner& refiner, const std::vector<std::uint64_t>& clus
 PathGroups uncounted_clusters(Run& run) {
   PathGroups clusters;
   for (const auto& [path, question] : judge(run).open) {
-    const auto root = run.ledger.roots().find(path);
-    const bool has_root = root != run.ledger.roots().end() && root->second.certificate;
+    const auto root = run.table.roots().find(path);
+    const bool has_root = root != run.table.roots().end() && root->second.certificate;
     if (question == Question::jumped && has_root) clusters.push_back({path});
   }
   for (auto& cluster : clusters_at(run)) clusters.push_back(std::move(cluster));
   if (clusters.empty()) return clusters;
   const std::vector<ExactRoot> exact = exact_roots(run);
   std::erase_if(clusters, [&](const auto& cluster) {
-    return is_counted_by(exact, run.ledger.roots().at(cluster.front()), cluster.size());
+    return is_counted_by(exact, run.table.roots().at(cluster.front()), cluster.size());
   });
   return clusters;
 }
@@ -222,7 +222,7 @@ void part_clusters_in_more_bits(Run& run) {
 }
 
 bool is_held(const Run& run, const Certificate& proof) {
-  return std::any_of(run.ledger.roots().begin(), run.ledger.roots().end(), [&](const auto& entry) {
+  return std::any_of(run.table.roots().begin(), run.table.roots().end(), [&](const auto& entry) {
     const auto& known = entry.second.certificate;
     return known && relation(*known, proof) != Relation::distinct;
   });

@@ -180,7 +180,7 @@ Refined point_of(const Run& run, const ExactRoot& exact) {
 void enter_exact(Run& run, std::uint64_t path, const ExactRoot& exact, Root&& root) {
   root.point = point_of(run, exact);
   root.is_exact = true;
-  run.ledger.enter_root(path, std::move(root));
+  run.table.enter_root(path, std::move(root));
 }
 
 /// It ends there, whatever was seen of its end.
@@ -202,13 +202,13 @@ class Places {
 
   /// Whole cycles that end there as often as the root counts keep their winding numbers.
   bool is_filled_by(Run& run, const std::vector<std::uint64_t>& group) {
-    const Root& end = run.ledger.roots().at(group.front());
+    const Root& end = run.table.roots().at(group.front());
     for (ExactRoot& place : places_) {
-      const bool fits = place.multiplicity == group.size() && cycles(run.ledger, group) &&
+      const bool fits = place.multiplicity == group.size() && cycles(run.table, group) &&
                         relative_distance(place.x, end.point.x) <= end.tolerance;
       if (!fits) continue;
       for (const std::uint64_t path : group) {
-        enter_exact(run, path, place, Root(run.ledger.roots().at(path)));
+        enter_exact(run, path, place, Root(run.table.roots().at(path)));
       }
       place.multiplicity = 0;
       return true;
@@ -236,17 +236,17 @@ std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
   std::vector<std::uint64_t> spare;
   for (const auto& group : groups_of(run)) {
     const auto proved = std::find_if(group.begin(), group.end(), [&](std::uint64_t path) {
-      return run.ledger.roots().at(path).certificate != nullptr;
+      return run.table.roots().at(path).certificate != nullptr;
     });
     if (proved == group.end()) {
       if (places.is_filled_by(run, group)) continue;
-      if (may_be_on_sets && is_on_set(run, run.ledger.roots().at(group.front()))) continue;
+      if (may_be_on_sets && is_on_set(run, run.table.roots().at(group.front()))) continue;
     }
     std::copy_if(group.begin(), group.end(), std::back_inserter(spare),
                  [&](std::uint64_t path) { return proved == group.end() || path != *proved; });
   }
-  for (const auto& [path, failure] : run.ledger.failures()) spare.push_back(path);
-  for (const std::uint64_t path : run.ledger.refuted()) spare.push_back(path);
+  for (const auto& [path, failure] : run.table.failures()) spare.push_back(path);
+  for (const std::uint64_t path : run.table.refuted()) spare.push_back(path);
   for (const auto& [path, endgame_start] : run.waiting) spare.push_back(path);
   return spare;
 }
@@ -266,7 +266,7 @@ bool settle_by_bound(Run& run) {
   // Of the paths that are said to be at infinity some are not, and nothing tells which.
   run.bounds.lacks_paths = spare.size() < places.count();
   if (run.bounds.lacks_paths) return false;
-  for (std::size_t k = places.fill(run, spare); k < spare.size(); ++k) run.ledger.leave(spare[k]);
+  for (std::size_t k = places.fill(run, spare); k < spare.size(); ++k) run.table.leave(spare[k]);
   run.waiting.clear();
   return true;
 }
@@ -281,7 +281,7 @@ bool is_root_missing(Run& run) {
 bool lacks_ends(const Run& run) {
   const QuotientRing& ring = run.bounds.ring;
   if (ring.verdict != QuotientRing::Verdict::finite) return false;
-  std::uint64_t ends = run.ledger.count(PathVerdict::as_rounded);
+  std::uint64_t ends = run.table.count(PathVerdict::as_rounded);
   for (const auto& group : judge(run).roots) ends += group.size();
   return ends < ring.dimension;
 }
@@ -301,7 +301,7 @@ bool are_as_counted(Run& run) {
   const auto groups = judge_ends_alone(run).roots;
   std::uint64_t roots = 0;
   for (const auto& group : groups) {
-    const Root& end = run.ledger.roots().at(group.front());
+    const Root& end = run.table.roots().at(group.front());
     if (!end.point.simple && is_on_set(run, end)) return false;
     roots += group.size();
   }
@@ -332,7 +332,7 @@ std::optional<std::string> contradiction_by_algebra(const Run& run,
   const QuotientRing& ring = run.bounds.ring;
   // Ends that the digits of the file do not tell from infinity may be roots of the file to the
   // letter.
-  const std::uint64_t hidden = run.ledger.count(PathVerdict::as_rounded);
+  const std::uint64_t hidden = run.table.count(PathVerdict::as_rounded);
   const auto is_between = [&](std::uint64_t count, std::uint64_t found) {
     return found <= count && count <= found + hidden;
   };
@@ -371,7 +371,7 @@ void tell_completeness(const Run& run, SolveResult& result) {
   result.completeness = result.bound ? RootCompleteness::proved
                         : is_shown   ? RootCompleteness::shown
                                      : RootCompleteness::open;
-  const std::uint64_t left = run.ledger.count(PathVerdict::not_needed);
+  const std::uint64_t left = run.table.count(PathVerdict::not_needed);
   if (left == 0) return;
   const std::string why =
       run.bounds.met ? "the certified roots are as many as the " + run.bounds.met->kind

@@ -60,7 +60,7 @@ std::optional<std::uint64_t> roots_to_compare(const Run& run);
 
 /// Why the roots told cannot be all and right: an exact root has fewer paths than its multiplicity,
 /// or the dimension of the quotient ring, where it was sought and found, is another. proved:
-/// roots_to_compare() of the ledger with these roots.
+/// roots_to_compare() of the table with these roots.
 std::optional<std::string> contradiction_by_algebra(const Run& run,
                                                     std::optional<std::uint64_t> proved,
                                                     const SolveResult& result);

@@ -20,7 +20,7 @@ constexpr double kLooseTolerance = 1e-6;
 // Disagreements that are settled by following the path again: more of them mean a tracker that does
 // not work.
 constexpr std::size_t kMostSettled = 64;
-constexpr int kSettlingCare = 2;
+constexpr int kSettlingTolerance = 2;
 
 bool is_same(const Solution& a, const Solution& b) {
   const double tolerance = a.singular || b.singular ? kLooseTolerance : kSimpleTolerance;
@@ -117,7 +117,7 @@ void cross_check(const System& f, SolveResult& result, const Tracker& tracker,
   own.fallback = nullptr;
   own.start = start_kind(result.start.kind).value_or(options.start);
   CrossCheck check = compare(result, solve(f, witness, own, stop));
-  own.care = kSettlingCare;
+  own.tolerance_level = kSettlingTolerance;
   // The paths of a system that had to be made square are not those that trace_path() follows.
   const std::size_t settled = is_square(f) ? std::min(check.disagreements.size(), kMostSettled) : 0;
   for (std::size_t k = 0; k < settled && !stop.load(); ++k) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The permutation of the sheets, by marks in the order of their real parts.
+// The permutation of the sheets, by hashes in the order of their real parts.
 #include "cycles.h"
 
 #include <algorithm>
@@ -7,12 +7,12 @@
 #include <optional>
 #include <utility>
 
-#include "marks.h"
+#include "point_hash.h"
 
 namespace moivre {
 namespace {
 
-/// Where turns begin, by radius and then by the mark's real part.
+/// Where turns begin, by radius and then by the hash's real part.
 class TurnBeginnings {
  public:
   explicit TurnBeginnings(const std::vector<Turn>& turns) : turns_(turns) {

@@ -5,7 +5,7 @@
 //   path p --one turn--> the point where path q waits --one turn--> ... --> the point where p
 //   waits: m paths, winding number m
 //
-// Points over one t are known again by their marks (marks.h). Edges: a turn that leads to no
+// Points over one t are known again by their hashes (point_hash.h). Edges: a turn that leads to no
 // waiting path, or to a point that two paths share, belongs to no cycle here: its path goes on
 // alone.
 #pragma once
@@ -17,7 +17,7 @@
 
 namespace moivre {
 
-/// From mark to mark at one radius |1 - t|.
+/// From hash to hash at one radius |1 - t|.
 struct Turn {
   double radius = 0;
   Complex begin, end;

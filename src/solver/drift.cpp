@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "beginnings.h"
 #include "facts.h"
 #include "moivre/numeric/invalid_input.h"
 #include "prepare.h"
+#include "stage_starts.h"
 
 namespace moivre {
 namespace {
@@ -34,39 +34,42 @@ class DriftWatcher : public Watcher {
   Point end_;  // homogeneous, at t = 1; empty before
 };
 
-class DriftSource : public DepartureSource {
+class DriftSource : public SegmentSource {
  public:
-  DriftSource(const Prepared& prepared, int care, std::vector<PathDrift>& drifts,
-              Beginnings& beginnings)
-      : prepared_(prepared), care_(care), drifts_(drifts), beginnings_(beginnings) {
+  DriftSource(const Prepared& prepared, int tolerance_level, std::vector<PathDrift>& drifts,
+              StageStarts& beginnings)
+      : prepared_(prepared),
+        tolerance_level_(tolerance_level),
+        drifts_(drifts),
+        beginnings_(beginnings) {
     watchers_.reserve(drifts.size());
     for (PathDrift& drift : drifts) watchers_.emplace_back(drift);
   }
 
-  std::optional<Departure> next() override {
-    std::optional<Beginning> beginning = beginnings_.next();
+  std::optional<PathSegment> next() override {
+    std::optional<StageStart> beginning = beginnings_.next();
     while (beginning && beginning->lost) beginning = beginnings_.next();
     if (!beginning) return std::nullopt;
     while (drifts_[next_].path != beginning->path) ++next_;
-    Departure departure = departure_of(*beginning, care_);
-    departure.path = next_;
-    departure.watcher = &watchers_[next_++];
-    return departure;
+    PathSegment segment = segment_of(*beginning, tolerance_level_);
+    segment.path = next_;
+    segment.watcher = &watchers_[next_++];
+    return segment;
   }
 
-  void arrived(const Departure& departure, Arrival&& arrival) override {
-    PathDrift& drift = drifts_[departure.path];
-    const Point& end = watchers_[departure.path].end();
-    drift.count = arrival.count;
+  void arrived(const PathSegment& segment, SegmentResult&& reached) override {
+    PathDrift& drift = drifts_[segment.path];
+    const Point& end = watchers_[segment.path].end();
+    drift.count = reached.count;
     drift.arrived = !end.empty() && prepared_.plan->last().chart().x0(end) != 0.0;
-    if (drift.arrived) drift.end = to_original(prepared_, outside(departure.frame, end));
+    if (drift.arrived) drift.end = to_original(prepared_, outside(segment.frame, end));
   }
 
  private:
   const Prepared& prepared_;
-  int care_;
+  int tolerance_level_;
   std::vector<PathDrift>& drifts_;
-  Beginnings& beginnings_;
+  StageStarts& beginnings_;
   std::vector<DriftWatcher> watchers_;
   std::size_t next_ = 0;
 };
@@ -96,8 +99,8 @@ std::vector<PathDrift> measure_drift(const System& f, const Tracker& tracker,
     if (drawn == paths.size() || stop.load(std::memory_order_relaxed)) return std::nullopt;
     return paths[drawn++];
   };
-  Beginnings beginnings(*prepared.plan, tracker, options.care, paths.size(), draw);
-  DriftSource source(prepared, options.care, drifts, beginnings);
+  StageStarts beginnings(*prepared.plan, tracker, options.tolerance_level, paths.size(), draw);
+  DriftSource source(prepared, options.tolerance_level, drifts, beginnings);
   beginnings.advance(stop);
   run_session(*tracker.open(prepared.plan->last()), source, stop);
   return drifts;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How are solutions and points of sets taken out of a result, so that its ledger still says which
+// How are solutions and points of sets taken out of a result, so that its table still says which
 // path leads to which solution?
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the verdict on a path to its entry in the ledger, through the refinement of finite ends.
+// From the verdict on a path to its entry in the table, through the refinement of finite ends.
 #include "ends.h"
 
 #include <algorithm>
@@ -119,7 +119,7 @@ std::vector<Root> judged_roots(const Run& run) {
     std::optional<Tools> fine_tools;  // made when they are first needed
     for (std::size_t k = chunk; k < roots.size(); k += chunks) {
       const auto& [path, end] = run.ends[k];
-      const bool is_fine = run.ledger.precision(path) == PathPrecision::multiprecision;
+      const bool is_fine = run.table.precision(path) == PathPrecision::multiprecision;
       if (is_fine && !fine_tools) fine_tools.emplace(run.setting, kMostArbBits);
       roots[k] = judged_root(run, is_fine ? *fine_tools : tools, end);
     }
@@ -146,8 +146,8 @@ Point last_point(const Run& run, const PathEnd& end) {
 }
 
 bool is_where_it_was(const Run& run, std::uint64_t path, const Root& end) {
-  const auto known = run.ledger.roots().find(path);
-  return known != run.ledger.roots().end() &&
+  const auto known = run.table.roots().find(path);
+  return known != run.table.roots().end() &&
          relative_distance(known->second.point.x, end.point.x) <= kMeanIsKnownTo;
 }
 
@@ -155,7 +155,7 @@ void keep_sheet(Run& run, std::uint64_t path, const PathEnd& end) {
   if (end.sheet.empty()) {
     run.sheets.forget(path);
   } else {
-    run.sheets.set(path, mark_of(end.sheet));
+    run.sheets.set(path, hash_of(end.sheet));
   }
 }
 
@@ -171,29 +171,29 @@ Root proved_root(Refiner& refiner, std::shared_ptr<const Certificate> proof) {
 
 void count_following(Run& run, std::uint64_t path, const PathEnd& end) {
   run.work += end.count;
-  run.ledger.count_following(path, end.count, end.stage, end.is_taken_up);
+  run.table.count_following(path, end.count, end.stage, end.is_taken_up);
 }
 
 void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
   count_following(run, path, end);
   const bool is_mixed = end.status != PathStatus::at_infinity && end.count.work.fine_values > 0;
-  run.ledger.set_precision(path, run.setting.is_fine() ? PathPrecision::double_double
-                                 : is_mixed            ? PathPrecision::mixed
-                                                       : PathPrecision::double_precision);
+  run.table.set_precision(path, run.setting.is_fine() ? PathPrecision::double_double
+                                : is_mixed            ? PathPrecision::mixed
+                                                      : PathPrecision::double_precision);
   switch (end.status) {
     case PathStatus::finite:
       run.ends.emplace_back(path, std::move(end));
       return;
     case PathStatus::at_infinity:
       keep_sheet(run, path, end);
-      run.ledger.enter_infinity(path, end.is_as_rounded);
+      run.table.enter_infinity(path, end.is_as_rounded);
       return;
     case PathStatus::failed:
       keep_sheet(run, path, end);
       if (has_to_wait(run, end)) {
         run.waiting[path] = end.endgame_start ? std::move(*end.endgame_start) : EndgameStart{};
       } else {
-        run.ledger.enter_failure({path, *end.failure, end.t, end.stage}, last_point(run, end));
+        run.table.enter_failure({path, *end.failure, end.t, end.stage}, last_point(run, end));
       }
       return;
   }
@@ -205,17 +205,17 @@ void judge_ends(Run& run, Unproved unproved) {
   std::vector<Root> roots = judged_roots(run);
   for (std::size_t k = 0; k < roots.size(); ++k) {
     const auto& [path, end] = run.ends[k];
-    const bool hides_terms = run.setting.hides_terms(run.ledger.precision(path));
+    const bool hides_terms = run.setting.hides_terms(run.table.precision(path));
     const bool is_root = roots[k].point.simple || (!hides_terms && is_known_singular(roots[k]));
     if (!is_root && unproved == Unproved::agrees && is_where_it_was(run, path, roots[k])) continue;
     keep_sheet(run, path, end);
     if (is_root) {
-      run.ledger.enter_root(path, std::move(roots[k]));
+      run.table.enter_root(path, std::move(roots[k]));
     } else if (unproved == Unproved::waits) {
       run.waiting[path] = {};
     } else {
-      run.ledger.enter_failure({path, Failure::precision, end.t, end.stage},
-                               std::move(roots[k].point.x));
+      run.table.enter_failure({path, Failure::precision, end.t, end.stage},
+                              std::move(roots[k].point.x));
     }
   }
   run.ends.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What does the end of a path say? Its verdict is entered in the ledger; a finite end must first
+// What does the end of a path say? Its verdict is entered in the table; a finite end must first
 // prove a root of the system.
 //
 //   simple       a root is proved there (certificates.h)

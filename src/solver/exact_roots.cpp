@@ -78,11 +78,11 @@ std::vector<std::vector<Coefficient>> fractions_near(const Point& x, double know
 std::vector<ExactRoot> exact_roots(Run& run) {
   if (!run.ring_roots.empty()) return run.ring_roots;
   look_near(run, Point(run.setting.f.variables.size()));
-  for (const auto& [path, root] : run.ledger.roots()) {
+  for (const auto& [path, root] : run.table.roots()) {
     if (!root.point.simple && !is_on_set(run, root)) look_near(run, root.point.x);
   }
   std::size_t looked = 0;
-  for (const auto& [path, x] : run.ledger.last_points()) {
+  for (const auto& [path, x] : run.table.last_points()) {
     if (++looked > kMostFailures) break;
     look_near(run, x);
   }

@@ -84,12 +84,12 @@ std::optional<std::vector<ProvedPlace>> proved_places(const Run& run) {
 /// The paths whose ends are not proved, each with the last that was seen of it.
 std::vector<std::pair<std::uint64_t, Point>> paths_in_doubt(const Run& run) {
   std::vector<std::pair<std::uint64_t, Point>> paths;
-  for (const auto& [path, root] : run.ledger.roots()) {
+  for (const auto& [path, root] : run.table.roots()) {
     if (!root.certificate) paths.emplace_back(path, root.point.x);
   }
-  for (const auto& [path, failure] : run.ledger.failures()) {
-    const auto last = run.ledger.last_points().find(path);
-    if (last != run.ledger.last_points().end()) paths.emplace_back(path, last->second);
+  for (const auto& [path, failure] : run.table.failures()) {
+    const auto last = run.table.last_points().find(path);
+    if (last != run.table.last_points().end()) paths.emplace_back(path, last->second);
   }
   return paths;
 }

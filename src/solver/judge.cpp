@@ -13,8 +13,8 @@ namespace {
 /// One path at a simple root, whole cycles at a singular one, or ends on a set.
 bool stands(const Run& run, const EndsOfGroup& ends, const std::vector<std::uint64_t>& group) {
   if (ends.singular.empty()) return group.size() == 1;
-  const bool is_whole = group.size() > 1 && ends.simple.empty() && cycles(run.ledger, group);
-  return is_whole || is_on_set(run, run.ledger.roots().at(ends.singular.front()));
+  const bool is_whole = group.size() > 1 && ends.simple.empty() && cycles(run.table, group);
+  return is_whole || is_on_set(run, run.table.roots().at(ends.singular.front()));
 }
 
 /// Of the paths of a group that does not stand the first one to a simple root has its root.
@@ -33,7 +33,7 @@ void open_shared_sheets(const Run& run, const PathSet& shared, JudgedEnds& judge
   const auto is_shared = [&](std::uint64_t path) { return shared.contains(path); };
   for (auto& group : judged.roots) {
     if (std::none_of(group.begin(), group.end(), is_shared)) continue;
-    const Root& end = run.ledger.roots().at(group.front());
+    const Root& end = run.table.roots().at(group.front());
     const bool is_of_set = !end.point.simple && is_on_set(run, end);
     for (const std::uint64_t path : group) {
       if (is_shared(path) || !is_of_set) judged.open[path] = Question::no_root;
@@ -53,18 +53,18 @@ void open_shared_sheets(const Run& run, const PathSet& shared, JudgedEnds& judge
 EndsOfGroup ends_of(const Run& run, const std::vector<std::uint64_t>& group) {
   EndsOfGroup ends;
   for (const std::uint64_t path : group) {
-    (run.ledger.roots().at(path).point.simple ? ends.simple : ends.singular).push_back(path);
+    (run.table.roots().at(path).point.simple ? ends.simple : ends.singular).push_back(path);
   }
   return ends;
 }
 
 JudgedEnds judge_ends_alone(const Run& run) {
   JudgedEnds judged;
-  for (const auto& [path, failure] : run.ledger.failures()) {
+  for (const auto& [path, failure] : run.table.failures()) {
     judged.open.emplace(path, Question::no_end);
     judged.in_doubt.insert(path);
   }
-  for (const std::uint64_t path : run.ledger.refuted()) {
+  for (const std::uint64_t path : run.table.refuted()) {
     judged.open.emplace(path, Question::no_root);
     judged.in_doubt.insert(path);
   }
@@ -94,7 +94,7 @@ PathGroups clusters_at(const Run& run) {
   for (const auto& group : groups_of(run)) {
     EndsOfGroup ends = ends_of(run, group);
     if (group.size() == 1 || ends.singular.empty()) continue;
-    const Root& end = run.ledger.roots().at(ends.singular.front());
+    const Root& end = run.table.roots().at(ends.singular.front());
     if (!end.is_exact && !is_on_set(run, end)) clusters.push_back(std::move(ends.singular));
   }
   return clusters;
@@ -104,14 +104,14 @@ PathSet open_to_more_digits(const Run& run) {
   PathSet paths;
   for (const auto& [path, question] : judge(run).open) {
     const bool is_ended = question == Question::no_end &&
-                          run.ledger.failures().at(path).failure == Failure::step_limit;
+                          run.table.failures().at(path).failure == Failure::step_limit;
     if (!is_ended) paths.insert(path);
   }
   return paths;
 }
 
 FailedPath told_as_failed(const Run& run, std::uint64_t path, Question question) {
-  if (question == Question::no_end) return run.ledger.failures().at(path);
+  if (question == Question::no_end) return run.table.failures().at(path);
   return {path, question == Question::jumped ? Failure::jumped : Failure::precision, 1};
 }
 

@@ -68,17 +68,17 @@ std::vector<ExactRoot> multiple_roots(const Run& run, const std::vector<RingPoin
 
 /// Of the point that was last seen of the path; 1 where nothing was.
 double distance_from_end(const Run& run, std::uint64_t path, const Point& x) {
-  const auto root = run.ledger.roots().find(path);
-  if (root != run.ledger.roots().end()) return projective_distance(x, root->second.point.x);
-  const auto last = run.ledger.last_points().find(path);
-  const bool is_seen = last != run.ledger.last_points().end() && last->second.size() == x.size();
+  const auto root = run.table.roots().find(path);
+  if (root != run.table.roots().end()) return projective_distance(x, root->second.point.x);
+  const auto last = run.table.last_points().find(path);
+  const bool is_seen = last != run.table.last_points().end() && last->second.size() == x.size();
   return is_seen ? projective_distance(x, last->second) : 1;
 }
 
 /// Paths that are open, and those whose ends are told without a proof.
 PathSet paths_without_proof(const Run& run) {
   PathSet paths = open_to_more_digits(run);
-  for (const auto& [path, root] : run.ledger.roots()) {
+  for (const auto& [path, root] : run.table.roots()) {
     if (!root.point.simple && !root.is_exact) paths.insert(path);
   }
   return paths;

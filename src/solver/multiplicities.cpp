@@ -10,7 +10,7 @@ namespace moivre {
 void count_ends(Run& run) {
   std::vector<std::vector<std::uint64_t>> multiple;
   for (auto& group : judge(run).roots) {
-    const Root& end = run.ledger.roots().at(group.front());
+    const Root& end = run.table.roots().at(group.front());
     if (group.size() > 1 && (end.point.simple || !is_on_set(run, end))) {
       multiple.push_back(std::move(group));
     }
@@ -19,7 +19,7 @@ void count_ends(Run& run) {
   const std::vector<ExactRoot> exact = exact_roots(run);
   PathSet left;
   for (const auto& group : multiple) {
-    const bool is_one = is_counted_by(exact, run.ledger.roots().at(group.front()), group.size());
+    const bool is_one = is_counted_by(exact, run.table.roots().at(group.front()), group.size());
     (is_one ? run.counted_ends : left).insert(group.front());
   }
   if (left.empty() || run.interrupted) return;

@@ -79,13 +79,13 @@ OutcomeKind kind_of(const PathEnd& end) {
 
 /// Where paths begin follows from the plan's homotopies and its numbers; two of the points tell
 /// plans of given points apart.
-Fingerprint list_of(const PathProblem& problem, const PathList& paths, int care) {
+Fingerprint list_of(const PathProblem& problem, const PathList& paths, int tolerance_level) {
   FingerprintMaker maker;
   maker.add(problem.plan.kind);
   for (const Homotopy& stage : problem.plan.stages) add_to(maker, stage);
   add_to(maker, problem.tracker);
   add_endgame(maker, problem.endgame);
-  maker.add(static_cast<double>(care));
+  maker.add(static_cast<double>(tolerance_level));
   for (std::uint64_t k = 0; k < paths.count; ++k) {
     const std::uint64_t path = paths.path_of(k);
     maker.add(path);
@@ -164,13 +164,15 @@ void KeptEnds::take(std::uint64_t path, const PathEnd& end, EndPart part) {
 
 void KeptEnds::keep_circles() { observations_.keep(list_, of_circles_); }
 
-bool observe_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
-                   const EndSink& sink, const std::atomic<bool>& stop, Observations* observations) {
-  if (observations == nullptr) return track_paths(problem, paths, care, threads, sink, stop);
-  const Fingerprint list = list_of(problem, paths, care);
-  if (!are_few(paths.count, care)) {
+bool observe_paths(const PathProblem& problem, const PathList& paths, int tolerance_level,
+                   int threads, const EndSink& sink, const std::atomic<bool>& stop,
+                   Observations* observations) {
+  if (observations == nullptr)
+    return track_paths(problem, paths, tolerance_level, threads, sink, stop);
+  const Fingerprint list = list_of(problem, paths, tolerance_level);
+  if (!are_few(paths.count, tolerance_level)) {
     if (const auto shares = observations->share(list, paths.count)) {
-      return SharedPaths(problem, paths, care, threads, sink, stop, *observations, list)
+      return SharedPaths(problem, paths, tolerance_level, threads, sink, stop, *observations, list)
           .follow(*shares);
     }
   }
@@ -191,7 +193,7 @@ bool observe_paths(const PathProblem& problem, const PathList& paths, int care, 
                       paths.endgame_starts, paths.count - others.size()};
   EndPart part = EndPart::of_itself;
   const bool has_memory = track_paths(
-      problem, rest, care, threads,
+      problem, rest, tolerance_level, threads,
       [&](std::uint64_t path, PathEnd&& end) {
         kept.take(path, end, part);
         sink(path, std::move(end));

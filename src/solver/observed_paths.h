@@ -14,12 +14,13 @@ namespace moivre {
 
 /// track_paths(), with the other processes where there are any, and by what `observations` has,
 /// where there are any; it takes the other ends.
-bool observe_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
-                   const EndSink& sink, const std::atomic<bool>& stop, Observations* observations);
+bool observe_paths(const PathProblem& problem, const PathList& paths, int tolerance_level,
+                   int threads, const EndSink& sink, const std::atomic<bool>& stop,
+                   Observations* observations);
 
 /// The homotopy, tracker, endgame and paths of a list, and the outcomes of a list that depend on
 /// the same.
-Fingerprint list_of(const PathProblem& problem, const PathList& paths, int care);
+Fingerprint list_of(const PathProblem& problem, const PathList& paths, int tolerance_level);
 
 /// The exact bytes of an end, and the end again. Throws std::invalid_argument where these are no
 /// end's.

@@ -15,8 +15,9 @@ std::vector<std::string> validate(const SolveOptions& options) {
   if (options.threads < 0 || options.threads > kMostThreads) {
     broken.push_back("threads must lie between 0 (all cores) and " + std::to_string(kMostThreads));
   }
-  if (options.care < 0) broken.push_back("care must be 0 or more");
-  if (options.maximum_care < 0) broken.push_back("maximum_care must be 0 or more");
+  if (options.tolerance_level < 0) broken.push_back("tolerance_level must be 0 or more");
+  if (options.maximum_tolerance_level < 0)
+    broken.push_back("maximum_tolerance_level must be 0 or more");
   for (const std::string& rule : validate(options.endgame.ends)) {
     broken.push_back("endgame.ends." + rule);
   }

@@ -18,9 +18,9 @@
 #include <utility>
 #include <vector>
 
-#include "beginnings.h"
 #include "cycles.h"
-#include "marks.h"
+#include "point_hash.h"
+#include "stage_starts.h"
 
 namespace moivre {
 namespace {
@@ -47,7 +47,7 @@ constexpr std::uint64_t kBlocksOfAThread = 4;
 /// What the threads share: the next path to begin, the sink, and the paths that wait.
 struct Shared {
   const PathList& paths;
-  int care;
+  int tolerance_level;
   const EndSink& sink;
   const std::atomic<bool>& stop;
   std::atomic<std::uint64_t> next{0};
@@ -85,39 +85,39 @@ struct Shared {
 };
 
 /// Feeds the session of the last stage: first what its endgames ask for, then new paths.
-class SessionSource : public DepartureSource {
+class SessionSource : public SegmentSource {
  public:
   /// beginnings: of new paths; nullptr: there are none, but paths to be taken up.
   SessionSource(const PathProblem& problem, const EndgameOptions& options, Shared& shared,
-                Beginnings* beginnings)
+                StageStarts* beginnings)
       : problem_(problem),
         options_(options),
         shared_(shared),
         beginnings_(beginnings),
         scratch_(problem.plan.last()) {}
 
-  std::optional<Departure> next() override {
+  std::optional<PathSegment> next() override {
     if (ready_.empty() && shared_.paths.endgame_starts) {
       if (const auto path = shared_.draw()) take_up(*path, shared_.paths.endgame_starts->at(*path));
     }
     if (!ready_.empty()) {
-      Departure departure = std::move(ready_.back());
+      PathSegment segment = std::move(ready_.back());
       ready_.pop_back();
-      return departure;
+      return segment;
     }
-    while (std::optional<Beginning> beginning = beginnings_ ? beginnings_->next() : std::nullopt) {
+    while (std::optional<StageStart> beginning = beginnings_ ? beginnings_->next() : std::nullopt) {
       if (!beginning->lost) return depart(std::move(*beginning));
       shared_.hand_in(beginning->path, std::move(*beginning->lost));
     }
     return std::nullopt;
   }
 
-  void arrived(const Departure& departure, Arrival&& arrival) override {
-    const auto found = under_way_.find(departure.path);
+  void arrived(const PathSegment& segment, SegmentResult&& reached) override {
+    const auto found = under_way_.find(segment.path);
     std::unique_ptr<Endgame> endgame = std::move(found->second);
     under_way_.erase(found);
-    auto next = endgame->accept(std::move(arrival), scratch_);
-    take_up({departure.path, std::move(endgame)}, std::move(next));
+    auto next = endgame->accept(std::move(reached), scratch_);
+    take_up({segment.path, std::move(endgame)}, std::move(next));
   }
 
   /// The sheets of one cycle, in the order of their turns. What the first finds at infinity holds
@@ -126,11 +126,11 @@ class SessionSource : public DepartureSource {
     std::vector<std::vector<Point>> turns;
     for (const WaitingPath& sheet : sheets) turns.push_back(sheet.endgame->turn());
     Endgame& first = *sheets.front().endgame;
-    std::optional<Departure> next_of_first = first.join(turns, 0, scratch_);
+    std::optional<PathSegment> next_of_first = first.join(turns, 0, scratch_);
     const bool is_told = first.end().status == PathStatus::at_infinity;
     for (std::size_t k = 1; k < sheets.size(); ++k) {
-      std::optional<Departure> next = is_told ? sheets[k].endgame->end_with(first)
-                                              : sheets[k].endgame->join(turns, k, scratch_);
+      std::optional<PathSegment> next = is_told ? sheets[k].endgame->end_with(first)
+                                                : sheets[k].endgame->join(turns, k, scratch_);
       take_up(std::move(sheets[k]), std::move(next));
     }
     take_up(std::move(sheets.front()), std::move(next_of_first));
@@ -138,7 +138,7 @@ class SessionSource : public DepartureSource {
 
   bool is_ready() const { return !ready_.empty(); }
 
-  void take_up(WaitingPath&& path, std::optional<Departure>&& next) {
+  void take_up(WaitingPath&& path, std::optional<PathSegment>&& next) {
     if (next) {
       ready_.push_back(std::move(*next));
       under_way_[path.path] = std::move(path.endgame);
@@ -152,11 +152,11 @@ class SessionSource : public DepartureSource {
  private:
   void take_up(std::uint64_t path, const EndgameStart& endgame_start) {
     auto endgame = new_endgame(path);
-    Departure next = endgame->take_up(endgame_start, scratch_);
+    PathSegment next = endgame->take_up(endgame_start, scratch_);
     take_up({path, std::move(endgame)}, std::move(next));
   }
 
-  Departure depart(Beginning&& beginning) {
+  PathSegment depart(StageStart&& beginning) {
     const std::uint64_t path = beginning.path;
     auto& endgame = under_way_[path];
     endgame = new_endgame(path);
@@ -166,8 +166,8 @@ class SessionSource : public DepartureSource {
   }
 
   std::unique_ptr<Endgame> new_endgame(std::uint64_t path) const {
-    auto endgame =
-        std::make_unique<Endgame>(options_, problem_.plan.last().chart(), path, shared_.care);
+    auto endgame = std::make_unique<Endgame>(options_, problem_.plan.last().chart(), path,
+                                             shared_.tolerance_level);
     endgame->end().stage = problem_.plan.stages.size() - 1;
     return endgame;
   }
@@ -175,9 +175,9 @@ class SessionSource : public DepartureSource {
   const PathProblem& problem_;
   const EndgameOptions& options_;
   Shared& shared_;
-  Beginnings* beginnings_;
+  StageStarts* beginnings_;
   PathSystem scratch_;
-  std::vector<Departure> ready_;
+  std::vector<PathSegment> ready_;
   std::map<std::uint64_t, std::unique_ptr<Endgame>> under_way_;
 };
 
@@ -189,8 +189,8 @@ void track_on_one_thread(const PathProblem& problem, const EndgameOptions& optio
     return;
   }
   const std::uint64_t share = shared.paths.count / (threads * kBlocksOfAThread) + 1;
-  Beginnings beginnings(problem.plan, problem.tracker, shared.care, std::min(kBlock, share),
-                        [&] { return shared.draw(); });
+  StageStarts beginnings(problem.plan, problem.tracker, shared.tolerance_level,
+                         std::min(kBlock, share), [&] { return shared.draw(); });
   SessionSource source(problem, options, shared, &beginnings);
   const auto session = problem.tracker.open(problem.plan.last());
   if (problem.plan.stages.size() == 1) return run_session(*session, source, shared.stop);
@@ -218,7 +218,7 @@ class CycleSource : public SessionSource {
         cycles_(cycles),
         draw_(draw) {}
 
-  std::optional<Departure> next() override {
+  std::optional<PathSegment> next() override {
     while (!is_ready() && !shared_.is_over()) {
       const auto cycle = draw_();
       if (!cycle) break;
@@ -232,7 +232,7 @@ class CycleSource : public SessionSource {
     std::vector<WaitingPath> sheets;
     for (const std::size_t k : cycle) sheets.push_back(std::move(waiting_[k]));
     if (sheets.size() > 1) return join(std::move(sheets));
-    Departure next = sheets.front().endgame->go_on();
+    PathSegment next = sheets.front().endgame->go_on();
     take_up(std::move(sheets.front()), std::move(next));
   }
 
@@ -272,16 +272,19 @@ void for_each_parallel(std::size_t count, int threads, const std::function<void(
   }
 }
 
-bool are_few(std::uint64_t paths, int care) { return paths <= kFewPaths && care == 0; }
+bool are_few(std::uint64_t paths, int tolerance_level) {
+  return paths <= kFewPaths && tolerance_level == 0;
+}
 
-bool track_until_they_wait(const PathProblem& problem, const PathList& paths, int care, int threads,
-                           const EndSink& sink, const std::atomic<bool>& stop,
+bool track_until_they_wait(const PathProblem& problem, const PathList& paths, int tolerance_level,
+                           int threads, const EndSink& sink, const std::atomic<bool>& stop,
                            std::vector<WaitingPath>& waiting) {
-  Shared shared{paths, care, sink, stop};
+  Shared shared{paths, tolerance_level, sink, stop};
   EndgameOptions options = problem.endgame;
   options.may_wait = paths.count + paths.known > 1;
   const std::uint64_t sessions =
-      std::min(are_few(paths.count, care) ? std::uint64_t{1} : static_cast<std::uint64_t>(threads),
+      std::min(are_few(paths.count, tolerance_level) ? std::uint64_t{1}
+                                                     : static_cast<std::uint64_t>(threads),
                paths.count);
   for_each_parallel(sessions, threads, [&](std::size_t) {
     is_within_memory(shared, [&] { track_on_one_thread(problem, options, sessions, shared); });
@@ -298,7 +301,7 @@ std::vector<std::vector<std::size_t>> cycles_among(std::vector<WaitingPath>& wai
   for (const WaitingPath& path : waiting) {
     const Endgame& endgame = *path.endgame;
     turns.push_back(
-        {endgame.radius(), mark_of(endgame.begin_of_turn()), mark_of(endgame.end_of_turn())});
+        {endgame.radius(), hash_of(endgame.begin_of_turn()), hash_of(endgame.end_of_turn())});
   }
   return cycles_of(turns, static_cast<std::size_t>(problem.endgame.ends.maximum_winding));
 }
@@ -318,11 +321,12 @@ bool walk_cycles(const PathProblem& problem, std::vector<WaitingPath>& waiting,
   return !shared.is_exhausted;
 }
 
-bool track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
-                 const EndSink& sink, const std::atomic<bool>& stop,
+bool track_paths(const PathProblem& problem, const PathList& paths, int tolerance_level,
+                 int threads, const EndSink& sink, const std::atomic<bool>& stop,
                  const std::function<void()>& when_they_wait) {
   std::vector<WaitingPath> waiting;
-  if (!track_until_they_wait(problem, paths, care, threads, sink, stop, waiting)) return false;
+  if (!track_until_they_wait(problem, paths, tolerance_level, threads, sink, stop, waiting))
+    return false;
   if (waiting.empty()) return true;
   if (when_they_wait) when_they_wait();
   std::vector<std::vector<std::size_t>> cycles;

@@ -6,9 +6,9 @@
 // far: those that lead to one another are the sheets of one cycle, and its samples are theirs
 // (cycles.h). So a cycle of m sheets takes m turns, not m times m.
 //
-// Results do not depend on the number of threads: a path's journey depends on its number, its care
-// and the paths that it is followed with. Memory: the endgames under way, those that wait, and what
-// the sink keeps.
+// Results do not depend on the number of threads: a path's end depends on its number, its tolerance
+// level and the paths that it is followed with. Memory: the endgames under way, those that wait,
+// and what the sink keeps.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ using JobDraw = std::function<std::optional<std::uint64_t>()>;
 
 /// Few paths, which are not known to be hard: to wake other threads, or to tell other processes,
 /// takes longer than to follow them.
-bool are_few(std::uint64_t paths, int care);
+bool are_few(std::uint64_t paths, int tolerance_level);
 
 /// Which paths, and from where.
 struct PathList {
@@ -63,14 +63,14 @@ struct WaitingPath {
 /// short by `stop` end as Failure::cancelled; those not yet begun are not reported. False where
 /// memory ran out: those under way on the thread that met it are not reported either. Calls
 /// `when_they_wait`, where there is one, before the ends in which others have a part.
-bool track_paths(const PathProblem& problem, const PathList& paths, int care, int threads,
-                 const EndSink& sink, const std::atomic<bool>& stop,
+bool track_paths(const PathProblem& problem, const PathList& paths, int tolerance_level,
+                 int threads, const EndSink& sink, const std::atomic<bool>& stop,
                  const std::function<void()>& when_they_wait = {});
 
 /// The first part of it: as far as no other path has a part in what becomes of them. Adds those
 /// that wait.
-bool track_until_they_wait(const PathProblem& problem, const PathList& paths, int care, int threads,
-                           const EndSink& sink, const std::atomic<bool>& stop,
+bool track_until_they_wait(const PathProblem& problem, const PathList& paths, int tolerance_level,
+                           int threads, const EndSink& sink, const std::atomic<bool>& stop,
                            std::vector<WaitingPath>& waiting);
 
 /// The cycles among all that wait, which are put into the order of their paths. Each stands in one,

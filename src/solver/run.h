@@ -2,7 +2,7 @@
 // What has become of the paths so far? The state of one solve, between its setting and its result.
 //
 // A path is not yet followed to its end (`waiting`, where it was followed at all), among `ends`
-// (finite, but not yet a root of the system as given), or in the ledger; one that is followed again
+// (finite, but not yet a root of the system as given), or in the table; one that is followed again
 // stays there until its new end is judged. Who changes what: tracking.h and ends.h bring paths in,
 // the remedies of settle.h have them followed again, or enter and refute ends; judge.h only reads;
 // account.h closes.
@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "effort.h"
-#include "ledger.h"
-#include "marks.h"
 #include "moivre/polynomial/quotient_ring.h"
+#include "path_table.h"
+#include "point_hash.h"
 #include "setting.h"
 
 namespace moivre {
@@ -62,13 +62,13 @@ struct Run {
   explicit Run(const Setting& the_setting) : setting(the_setting) {}
 
   const Setting& setting;
-  Ledger ledger;
+  PathTable table;
   Effort effort = Effort::all_steps;  ///< less only while track_all() or track_waiting() is at work
   /// Came to no verdict with less effort than all; from an empty start of the endgame a path is
   /// followed from its start again.
   EndgameStarts waiting;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends;  ///< finite, to be refined
-  Marks
+  PointHashes
       sheets;  ///< of the points over one t to which paths have gone back from ends that circles have told
   Bounds bounds;
   ExactCandidates looked_at;                  ///< each candidate for an exact root once

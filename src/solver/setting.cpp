@@ -74,12 +74,12 @@ const Tracker& Setting::tracker() const {
   return trackers.fine_lanes ? *trackers.fine_lanes : *trackers.fine;
 }
 
-bool Setting::falls_back(int care) const {
-  return trackers.fallback != nullptr && !is_fine() && care > 0;
+bool Setting::falls_back(int tolerance_level) const {
+  return trackers.fallback != nullptr && !is_fine() && tolerance_level > 0;
 }
 
-PathProblem Setting::problem(int care) const {
-  return {*prepared.plan, falls_back(care) ? *trackers.fallback : tracker(), endgame};
+PathProblem Setting::problem(int tolerance_level) const {
+  return {*prepared.plan, falls_back(tolerance_level) ? *trackers.fallback : tracker(), endgame};
 }
 
 }  // namespace moivre

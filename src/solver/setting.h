@@ -58,9 +58,9 @@ struct Setting {
   bool hides_terms(PathPrecision precision) const;
   /// Who follows all paths at first.
   const Tracker& tracker() const;
-  bool falls_back(int care) const;
+  bool falls_back(int tolerance_level) const;
   /// All paths, by who follows them with that care.
-  PathProblem problem(int care) const;
+  PathProblem problem(int tolerance_level) const;
 };
 
 }  // namespace moivre

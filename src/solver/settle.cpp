@@ -3,12 +3,12 @@
 #include "settle.h"
 
 #include "beside_sets.h"
-#include "climbs.h"
 #include "clusters.h"
 #include "completeness.h"
 #include "isolated.h"
 #include "judge.h"
 #include "missing_roots.h"
+#include "more_digits.h"
 
 namespace moivre {
 namespace {
@@ -17,17 +17,17 @@ namespace {
 constexpr void (*kRemedies[])(Run&){
     isolate_roots,           // any, where one unknown is left: all roots by proof
     part_in_double_double,   // several paths at a singular end: simple roots near to each other?
-    climb_failed_paths,      // no end, by precision: many paths at once in double-double
+    raise_failed_paths,      // no end, by precision: many paths at once in double-double
     follow_with_care,        // any: smaller steps, by the other tracker
-    climb_in_double_double,  // any, and what comes into doubt by that
+    raise_to_double_double,  // any, and what comes into doubt by that
     give_missing_roots,      // fewer roots than exact algebra counts: the ring has the others
-    climb_in_more_digits,    // any: 100 and 300 digits, as long as they help
+    raise_to_more_digits,    // any: 100 and 300 digits, as long as they help
     part_clusters_in_more_bits,  // several paths at one place that no count confirms: simple roots?
     isolate_roots,               // as many simple roots may be proved now as there are
     look_beside_sets,            // sheets that meet on a set: a root beside it?
-    look_at_blurred_sets,      // ends on a set on which F vanishes but for rounding: is there one?
-    part_clusters,             // a multiple root, or several? By proofs and local rings
-    climb_from_contradiction,  // the ends are not as many as exact algebra counts
+    look_at_blurred_sets,       // ends on a set on which F vanishes but for rounding: is there one?
+    part_clusters,              // a multiple root, or several? By proofs and local rings
+    raise_after_contradiction,  // the ends are not as many as exact algebra counts
 };
 
 /// The certified roots, and the multiple ones to which whole cycles lead, are as many as exact
@@ -35,7 +35,7 @@ constexpr void (*kRemedies[])(Run&){
 /// is one.
 bool settle_by_count(Run& run) {
   if (run.interrupted || !are_as_counted(run)) return false;
-  for (const auto& [path, question] : judge_ends_alone(run).open) run.ledger.leave(path);
+  for (const auto& [path, question] : judge_ends_alone(run).open) run.table.leave(path);
   return true;
 }
 

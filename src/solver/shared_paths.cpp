@@ -37,12 +37,12 @@ struct CycleEnds {
 
 }  // namespace
 
-SharedPaths::SharedPaths(const PathProblem& problem, const PathList& paths, int care, int threads,
-                         const EndSink& sink, const std::atomic<bool>& stop,
+SharedPaths::SharedPaths(const PathProblem& problem, const PathList& paths, int tolerance_level,
+                         int threads, const EndSink& sink, const std::atomic<bool>& stop,
                          Observations& observations, const Fingerprint& list)
     : problem_(problem),
       paths_(paths),
-      care_(care),
+      tolerance_level_(tolerance_level),
       threads_(threads),
       sink_(sink),
       stop_(stop),
@@ -86,7 +86,7 @@ void SharedPaths::follow_mine(JobShares& shares) {
   mine.draw = [&shares] { return shares.draw(); };
   std::vector<WaitingPath> waiting;
   has_memory_ = track_until_they_wait(
-      problem_, mine, care_, threads_,
+      problem_, mine, tolerance_level_, threads_,
       [&](std::uint64_t path, PathEnd&& end) {
         if (end.failure != Failure::cancelled) {
           shares.tell(place_of_.at(path), told_of(std::string_view(bytes_of(end))));
@@ -106,7 +106,8 @@ void SharedPaths::take(const ToldOutcome& told) {
   const Told what = bytes.get<Told>();
   PathEnd end = end_of(bytes.get_text());
   if (what == Told::has_ended) return this->end(path, std::move(end), EndPart::of_itself);
-  auto endgame = std::make_unique<Endgame>(options_, problem_.plan.last().chart(), path, care_);
+  auto endgame =
+      std::make_unique<Endgame>(options_, problem_.plan.last().chart(), path, tolerance_level_);
   endgame->wait_as(bytes.get_text(), std::move(end));
   waiting_.push_back({path, std::move(endgame)});
 }

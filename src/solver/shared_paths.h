@@ -18,7 +18,7 @@ namespace moivre {
 
 class SharedPaths {
  public:
-  SharedPaths(const PathProblem& problem, const PathList& paths, int care, int threads,
+  SharedPaths(const PathProblem& problem, const PathList& paths, int tolerance_level, int threads,
               const EndSink& sink, const std::atomic<bool>& stop, Observations& observations,
               const Fingerprint& list);
   /// As track_paths().
@@ -34,7 +34,7 @@ class SharedPaths {
 
   const PathProblem& problem_;
   const PathList& paths_;
-  int care_;
+  int tolerance_level_;
   int threads_;
   const EndSink& sink_;
   const std::atomic<bool>& stop_;

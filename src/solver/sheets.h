@@ -9,7 +9,7 @@
 // multiplicities and bounds are multiplied;
 // roots, certificates (one root, of that multiplicity) and the work done stay. Residuals are those
 // of F.
-// Lists by path (ledger, failures, windings) are left empty where they would have more than
+// Lists by path (table, failures, windings) are left empty where they would have more than
 // kMostListed entries.
 // Private to the module.
 #pragma once

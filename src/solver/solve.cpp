@@ -61,7 +61,7 @@ Solution eliminated_root(const Setting& setting) {
   root.point = root.certificate ? refiner.take(*root.certificate) : refiner.keep(x, 0, 1);
   root.point.simple = root.certificate || x.empty();
   Run run(setting);
-  run.ledger.enter_root(0, std::move(root));
+  run.table.enter_root(0, std::move(root));
   return solution_of(run, {0}, {1});
 }
 

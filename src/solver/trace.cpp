@@ -5,11 +5,11 @@
 #include <functional>
 #include <limits>
 
-#include "beginnings.h"
 #include "facts.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/powers.h"
 #include "setting.h"
+#include "stage_starts.h"
 
 namespace moivre {
 namespace {
@@ -23,17 +23,17 @@ class Recorder : public Watcher {
   Recorder(const ToAffine& to_affine, std::vector<TraceStep>& steps)
       : to_affine_(to_affine), steps_(steps) {}
 
-  int next_journey() const { return journey_ + 1; }
+  int next_segment() const { return segment_ + 1; }
 
-  void begin_journey(Watcher* inner, FramePointer frame) {
+  void begin_segment(Watcher* inner, FramePointer frame) {
     inner_ = inner;
     frame_ = std::move(frame);
-    ++journey_;
+    ++segment_;
   }
 
   Verdict watch(const StepRecord& record, PathSystem& path) override {
     TraceStep& step = steps_.emplace_back();
-    step.journey = journey_;
+    step.segment = segment_;
     step.s = record.s;
     step.t = record.t.t;
     step.x = to_affine_(outside(frame_, Point(record.x.begin(), record.x.end())));
@@ -51,11 +51,11 @@ class Recorder : public Watcher {
   std::vector<TraceStep>& steps_;
   Watcher* inner_ = nullptr;
   FramePointer frame_;
-  int journey_ = -1;
+  int segment_ = -1;
 };
 
 /// The start point of a stage, before any step.
-TraceStep first_row(const Homotopy& homotopy, const Beginning& beginning,
+TraceStep first_row(const Homotopy& homotopy, const StageStart& beginning,
                     const ToAffine& to_affine) {
   PathSystem path(homotopy);
   path.set_frame(beginning.frame.get());
@@ -70,27 +70,28 @@ TraceStep first_row(const Homotopy& homotopy, const Beginning& beginning,
 }
 
 /// Through the stages before the last: where the path begins there, or how it was lost.
-Beginning follow_early_stages(const PathProblem& problem, std::uint64_t path, int care,
-                              Recorder& recorder, const ToAffine& to_affine,
-                              const std::atomic<bool>& stop, Trace& trace) {
-  Beginning beginning = first_beginning(problem.plan, path);
+StageStart follow_early_stages(const PathProblem& problem, std::uint64_t path, int tolerance_level,
+                               Recorder& recorder, const ToAffine& to_affine,
+                               const std::atomic<bool>& stop, Trace& trace) {
+  StageStart beginning = first_stage_start(problem.plan, path);
   for (std::size_t stage = 0; stage + 1 < problem.plan.stages.size() && !beginning.lost; ++stage) {
     const Homotopy& homotopy = problem.plan.stages[stage];
     trace.steps.push_back(first_row(homotopy, beginning, to_affine));
-    recorder.begin_journey(nullptr, beginning.frame);
+    recorder.begin_segment(nullptr, beginning.frame);
     const auto session = problem.tracker.open(homotopy);
-    Arrival arrival = follow(*session, departure_of(beginning, care, &recorder), stop);
-    take_arrival(problem.plan, stage, std::move(arrival), beginning);
+    SegmentResult reached =
+        follow(*session, segment_of(beginning, tolerance_level, &recorder), stop);
+    take_result(problem.plan, stage, std::move(reached), beginning);
   }
   return beginning;
 }
 
-void follow_to_the_end(const PathProblem& problem, int care, const ToAffine& to_affine,
+void follow_to_the_end(const PathProblem& problem, int tolerance_level, const ToAffine& to_affine,
                        const std::atomic<bool>& stop, Trace& trace) {
   const Homotopy& last = problem.plan.last();
   Recorder recorder(to_affine, trace.steps);
-  Beginning beginning =
-      follow_early_stages(problem, trace.path, care, recorder, to_affine, stop, trace);
+  StageStart beginning =
+      follow_early_stages(problem, trace.path, tolerance_level, recorder, to_affine, stop, trace);
   if (beginning.lost) {
     trace.end = std::move(*beginning.lost);
   } else {
@@ -98,15 +99,15 @@ void follow_to_the_end(const PathProblem& problem, int care, const ToAffine& to_
     PathSystem scratch(last);
     const TraceStep start = first_row(last, beginning, to_affine);
     trace.steps.push_back(start);
-    trace.steps.back().journey = recorder.next_journey();
-    Endgame endgame(problem.endgame, last.chart(), trace.path, care);
-    std::optional<Departure> departure =
+    trace.steps.back().segment = recorder.next_segment();
+    Endgame endgame(problem.endgame, last.chart(), trace.path, tolerance_level);
+    std::optional<PathSegment> segment =
         endgame.depart(std::move(beginning.x), std::move(beginning.frame));
-    while (departure) {
-      recorder.begin_journey(departure->watcher, departure->frame);
-      departure->watcher = &recorder;
-      departure->watch_radius = std::numeric_limits<double>::infinity();
-      departure = endgame.accept(follow(*session, std::move(*departure), stop), scratch);
+    while (segment) {
+      recorder.begin_segment(segment->watcher, segment->frame);
+      segment->watcher = &recorder;
+      segment->watch_radius = std::numeric_limits<double>::infinity();
+      segment = endgame.accept(follow(*session, std::move(*segment), stop), scratch);
     }
     trace.end = std::move(endgame.end());
   }
@@ -135,7 +136,7 @@ Trace trace_path(const System& f, const Tracker& tracker, const SolveOptions& op
   trace.path = path / bases.sheets;
   trace.left_out = setting.prepared.left_out;
   follow_to_the_end(
-      setting.problem(0), options.care,
+      setting.problem(0), options.tolerance_level,
       [&](const Point& x) { return to_original(setting.prepared, x); }, stop, trace);
   trace.path = path;
   return trace;
@@ -154,7 +155,7 @@ Trace trace_path(const System& f, const System& g, const Point& start, const Tra
   Trace trace;
   trace.system = facts_of(f);
   follow_to_the_end(
-      {plan, tracker, options.endgame}, options.care,
+      {plan, tracker, options.endgame}, options.tolerance_level,
       [&](const Point& x) { return plan.last().chart().affine(x); }, stop, trace);
   return trace;
 }

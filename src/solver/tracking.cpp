@@ -16,8 +16,8 @@ void report_progress(const Run& run) {
   if (!run.setting.options.progress) return;
   Progress progress;
   progress.total = run.setting.prepared.plan->paths;
-  progress.done = run.ledger.tracked() + run.ends.size();
-  progress.finite = run.ledger.count(PathVerdict::finite) + run.ends.size();
+  progress.done = run.table.tracked() + run.ends.size();
+  progress.finite = run.table.count(PathVerdict::finite) + run.ends.size();
   run.setting.options.progress(progress);
 }
 
@@ -25,7 +25,7 @@ void report_progress(const Run& run) {
 constexpr std::uint64_t kPathsTogether = 4096;
 
 /// Verdicts go to `sink`, but for those that the run's end cut short; what is finite is refined.
-void follow(Run& run, const PathProblem& problem, const PathList& paths, int care,
+void follow(Run& run, const PathProblem& problem, const PathList& paths, int tolerance_level,
             const EndSink& sink, Unproved unproved = Unproved::fails) {
   const Setting& setting = run.setting;
   std::uint64_t ended = 0;
@@ -40,8 +40,8 @@ void follow(Run& run, const PathProblem& problem, const PathList& paths, int car
     const PathList block{std::min(kPathsTogether, paths.count - first),
                          [&](std::uint64_t k) { return paths.path_of(first + k); },
                          paths.endgame_starts};
-    has_memory = observe_paths(problem, block, care, setting.threads, sink_unless_cancelled,
-                               setting.stop, setting.options.observations);
+    has_memory = observe_paths(problem, block, tolerance_level, setting.threads,
+                               sink_unless_cancelled, setting.stop, setting.options.observations);
     // Ends that wait to be refined take much more memory than roots.
     judge_ends(run, unproved);
   }
@@ -50,12 +50,12 @@ void follow(Run& run, const PathProblem& problem, const PathList& paths, int car
   if (!has_memory) run.interrupted = run.out_of_memory = true;
 }
 
-void follow(Run& run, const PathProblem& problem, const PathSet& paths, int care,
+void follow(Run& run, const PathProblem& problem, const PathSet& paths, int tolerance_level,
             const EndSink& sink, Unproved unproved = Unproved::fails,
             const EndgameStarts* endgame_starts = nullptr) {
   const std::vector<std::uint64_t> list(paths.begin(), paths.end());
   follow(run, problem, {list.size(), [&](std::uint64_t k) { return list[k]; }, endgame_starts},
-         care, sink, unproved);
+         tolerance_level, sink, unproved);
 }
 
 /// Takes every end as its verdict comes in.
@@ -67,7 +67,7 @@ EndSink taking_ends(Run& run) {
 }
 
 /// The paths that came to no verdict.
-PathSet climb_with(Run& run, const Tracker& tracker, PathPrecision precision, Taken taken,
+PathSet raise_with(Run& run, const Tracker& tracker, PathPrecision precision, Taken taken,
                    const PathSet& paths) {
   PathSet undecided;
   if (paths.empty() || run.interrupted) return undecided;
@@ -85,7 +85,7 @@ PathSet climb_with(Run& run, const Tracker& tracker, PathPrecision precision, Ta
           return;
         }
         take_end(run, path, std::move(end));
-        run.ledger.set_precision(path, precision);
+        run.table.set_precision(path, precision);
       },
       taken == Taken::regular_ends ? Unproved::agrees : Unproved::fails);
   return undecided;
@@ -100,7 +100,7 @@ void track_all(Run& run) {
                             endgame_for(setting, run.effort)};
   const PathList all{setting.prepared.plan->paths, [](std::uint64_t k) { return k; }};
   const Unproved unproved = run.effort == Effort::regular_ends ? Unproved::waits : Unproved::fails;
-  follow(run, problem, all, setting.options.care, taking_ends(run), unproved);
+  follow(run, problem, all, setting.options.tolerance_level, taking_ends(run), unproved);
   run.effort = Effort::all_steps;
 }
 
@@ -115,36 +115,37 @@ void track_waiting(Run& run, Effort effort) {
   for (const auto& [path, endgame_start] : waiting) {
     (endgame_start.x.empty() ? begin_again : stand_at_endgame_starts).insert(path);
   }
-  const int care = setting.options.care;
-  follow(run, problem, stand_at_endgame_starts, care, taking_ends(run), Unproved::fails, &waiting);
-  follow(run, problem, begin_again, care, taking_ends(run));
+  const int tolerance_level = setting.options.tolerance_level;
+  follow(run, problem, stand_at_endgame_starts, tolerance_level, taking_ends(run), Unproved::fails,
+         &waiting);
+  follow(run, problem, begin_again, tolerance_level, taking_ends(run));
   run.effort = Effort::all_steps;
 }
 
-void track_again(Run& run, const PathSet& paths, int care) {
-  if (run.setting.falls_back(care)) {
-    for (const std::uint64_t path : paths) run.ledger.set_handed_over(path);
+void track_again(Run& run, const PathSet& paths, int tolerance_level) {
+  if (run.setting.falls_back(tolerance_level)) {
+    for (const std::uint64_t path : paths) run.table.set_handed_over(path);
   }
-  follow(run, run.setting.problem(care), paths, care,
+  follow(run, run.setting.problem(tolerance_level), paths, tolerance_level,
          [&](std::uint64_t path, PathEnd&& end) { take_end(run, path, std::move(end)); });
 }
 
-PathSet climb_together(Run& run, const PathSet& paths, Taken taken) {
+PathSet raise_together(Run& run, const PathSet& paths, Taken taken) {
   const Trackers& trackers = run.setting.trackers;
   return trackers.fine_lanes
-             ? climb_with(run, *trackers.fine_lanes, PathPrecision::double_double, taken, paths)
+             ? raise_with(run, *trackers.fine_lanes, PathPrecision::double_double, taken, paths)
              : PathSet{};
 }
 
-void climb(Run& run, const PathSet& paths, Taken taken) {
+void raise_precision(Run& run, const PathSet& paths, Taken taken) {
   const Trackers& trackers = run.setting.trackers;
   if (!trackers.fine) return;
-  climb_with(run, *trackers.fine, PathPrecision::double_double, taken,
-             trackers.fine_lanes ? climb_together(run, paths, taken) : paths);
+  raise_with(run, *trackers.fine, PathPrecision::double_double, taken,
+             trackers.fine_lanes ? raise_together(run, paths, taken) : paths);
 }
 
-void climb_beyond_double_double(Run& run, const Tracker& tracker, const PathSet& paths) {
-  climb_with(run, tracker, PathPrecision::multiprecision, Taken::regular_ends, paths);
+void raise_beyond_double_double(Run& run, const Tracker& tracker, const PathSet& paths) {
+  raise_with(run, tracker, PathPrecision::multiprecision, Taken::regular_ends, paths);
   const bool is_last = &tracker == run.setting.trackers.finer.back().get();
   if (is_last) run.in_all_digits.insert(paths.begin(), paths.end());
 }

@@ -36,13 +36,13 @@ class Study {
   Study(const StudySubject& subject, const StudyOptions& options, const std::atomic<bool>& stop)
       : subject_(subject), f_(subject.system), options_(options), stop_(stop), plain_(f_) {}
 
-  StudyResult run(const std::vector<StudySetting>& settings, const Tracker& referee,
+  StudyResult run(const std::vector<StudySetting>& settings, const Tracker& reference_tracker,
                   const Tracker* witness);
 
  private:
   bool is_stopped() const { return stop_.load(std::memory_order_relaxed); }
   SolveOptions solve_options(std::size_t seed) const;
-  void find_reference(const Tracker& referee, const Tracker* witness);
+  void find_reference(const Tracker& reference_tracker, const Tracker* witness);
   StudyRow study(const StudySetting& setting);
   enum class Repairs { none, all };
   /// Fills one outcome from all seeds. True when nothing was left for the solver to repair.
@@ -73,12 +73,12 @@ SolveOptions Study::solve_options(std::size_t seed) const {
   return options;
 }
 
-StudyResult Study::run(const std::vector<StudySetting>& settings, const Tracker& referee,
+StudyResult Study::run(const std::vector<StudySetting>& settings, const Tracker& reference_tracker,
                        const Tracker* witness) {
   const double begin = cpu_seconds();
   result_.seed = options_.seed;
   result_.seeds = options_.seeds;
-  find_reference(referee, witness);
+  find_reference(reference_tracker, witness);
   if (result_.reference.roots == 0 && !is_stopped()) {
     result_.remarks.push_back("there is no isolated root: only times can be compared");
   }
@@ -94,9 +94,9 @@ StudyResult Study::run(const std::vector<StudySetting>& settings, const Tracker&
   return std::move(result_);
 }
 
-void Study::find_reference(const Tracker& referee, const Tracker* witness) {
+void Study::find_reference(const Tracker& reference_tracker, const Tracker* witness) {
   for (std::size_t seed = 0; seed < static_cast<std::size_t>(options_.seeds); ++seed) {
-    for (const Tracker* tracker : {&referee, witness}) {
+    for (const Tracker* tracker : {&reference_tracker, witness}) {
       if (tracker == nullptr || is_stopped()) continue;
       tell("reference", seed, static_cast<std::uint64_t>(options_.seeds));
       const SolveResult run = subject_.solve(*tracker, solve_options(seed), stop_);
@@ -135,7 +135,7 @@ bool Study::measure(const Tracker& tracker, Repairs repairs, StudyOutcome& outco
     if (is_stopped()) break;
     SolveOptions options = solve_options(seed);
     if (repairs == Repairs::none) {
-      options.maximum_care = 0;
+      options.maximum_tolerance_level = 0;
       options.precision = Precision::double_precision;
     }
     SolveResult run;
@@ -236,20 +236,20 @@ std::vector<std::string> validate(const StudyOptions& options) {
 }
 
 StudyResult study_subject(const StudySubject& subject, const std::vector<StudySetting>& settings,
-                          const Tracker& referee, const Tracker* witness,
+                          const Tracker& reference_tracker, const Tracker* witness,
                           const StudyOptions& options, const std::atomic<bool>& stop) {
   require_unbroken(validate(options));
-  return Study(subject, options, stop).run(settings, referee, witness);
+  return Study(subject, options, stop).run(settings, reference_tracker, witness);
 }
 
 StudyResult study_system(const System& f, const std::vector<StudySetting>& settings,
-                         const Tracker& referee, const Tracker* witness,
+                         const Tracker& reference_tracker, const Tracker* witness,
                          const StudyOptions& options, const std::atomic<bool>& stop) {
   const StudySubject subject{
       f, true, [&](const Tracker& tracker, const SolveOptions& solve_options, const auto& halt) {
         return solve(f, tracker, solve_options, halt);
       }};
-  return study_subject(subject, settings, referee, witness, options, stop);
+  return study_subject(subject, settings, reference_tracker, witness, options, stop);
 }
 
 }  // namespace moivre

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The trackers' shared vocabulary: sums of counts, a single journey, and what a source throws.
+// The trackers' shared vocabulary: sums of counts, a single segment, and what a source throws.
 #include "moivre/tracker/tracker.h"
 
 #include <exception>
@@ -15,29 +15,31 @@ StepCount& StepCount::operator+=(const StepCount& other) {
 
 namespace {
 
-class SingleDeparture : public DepartureSource {
+class SingleSegment : public SegmentSource {
  public:
-  explicit SingleDeparture(Departure&& departure) : departure_(std::move(departure)) {}
+  explicit SingleSegment(PathSegment&& segment) : segment_(std::move(segment)) {}
 
-  std::optional<Departure> next() override {
-    std::optional<Departure> result;
-    result.swap(departure_);
+  std::optional<PathSegment> next() override {
+    std::optional<PathSegment> result;
+    result.swap(segment_);
     return result;
   }
-  void arrived(const Departure&, Arrival&& arrival) override { arrival_ = std::move(arrival); }
-  Arrival take() { return std::move(arrival_); }
+  void arrived(const PathSegment&, SegmentResult&& reached) override {
+    reached_ = std::move(reached);
+  }
+  SegmentResult take() { return std::move(reached_); }
 
  private:
-  std::optional<Departure> departure_;
-  Arrival arrival_;
+  std::optional<PathSegment> segment_;
+  SegmentResult reached_;
 };
 
 /// Hands on what another source does, until that throws.
-class CaughtSource : public DepartureSource {
+class CaughtSource : public SegmentSource {
  public:
-  explicit CaughtSource(DepartureSource& source) : source_(source) {}
+  explicit CaughtSource(SegmentSource& source) : source_(source) {}
 
-  std::optional<Departure> next() override {
+  std::optional<PathSegment> next() override {
     if (thrown_) return std::nullopt;
     try {
       return source_.next();
@@ -46,10 +48,10 @@ class CaughtSource : public DepartureSource {
       return std::nullopt;
     }
   }
-  void arrived(const Departure& departure, Arrival&& arrival) override {
+  void arrived(const PathSegment& segment, SegmentResult&& reached) override {
     if (thrown_) return;
     try {
-      source_.arrived(departure, std::move(arrival));
+      source_.arrived(segment, std::move(reached));
     } catch (...) {
       thrown_ = std::current_exception();
     }
@@ -59,20 +61,20 @@ class CaughtSource : public DepartureSource {
   }
 
  private:
-  DepartureSource& source_;
+  SegmentSource& source_;
   std::exception_ptr thrown_;
 };
 
 }  // namespace
 
-void run_session(TrackerSession& session, DepartureSource& source, const std::atomic<bool>& stop) {
+void run_session(TrackerSession& session, SegmentSource& source, const std::atomic<bool>& stop) {
   CaughtSource caught(source);
   session.run(caught, stop);
   caught.rethrow();
 }
 
-Arrival follow(TrackerSession& session, Departure departure, const std::atomic<bool>& stop) {
-  SingleDeparture source(std::move(departure));
+SegmentResult follow(TrackerSession& session, PathSegment segment, const std::atomic<bool>& stop) {
+  SingleSegment source(std::move(segment));
   run_session(session, source, stop);
   return source.take();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Journeys with CVODE: right-hand side, projection, weights, and the loop over steps.
+// Segments with CVODE: right-hand side, projection, weights, and the loop over steps.
 //
 // x' = -J^{-1} H_t dt is the path's tangent on the path; beside it, where J is nearly singular, it
 // is a stiff field, and the order stays 1. From a step on that Newton's method refuses the field is
@@ -23,14 +23,14 @@ namespace {
 constexpr double kNonlinearCoefficient = 0.5;
 // A step is cut to this fraction when Newton refuses it.
 constexpr double kProjectionFailureEta = 0.25;
-// Repeated failures inside one step before the journey ends: 4^-20 of a step is far below any
+// Repeated failures inside one step before the segment ends: 4^-20 of a step is far below any
 // useful one.
 constexpr int kMaximumFailuresInStep = 20;
 // Samples go into Cauchy's integral, so they are corrected as far as double allows.
 constexpr double kSampleTolerance = 1e-14;
 // Each level of care divides the tolerance and the trust in Newton by so much; a step that Newton
 // refuses the tolerance alone, until so many steps are accepted behind it.
-constexpr double kCareFactor = 10;
+constexpr double kToleranceFactor = 10;
 constexpr int kCarefulSteps = 5;
 constexpr double kTightest = 1e-8;
 
@@ -46,10 +46,10 @@ class CvodeSession : public TrackerSession {
     set_up();
   }
 
-  void run(DepartureSource& source, const std::atomic<bool>& stop) override {
-    while (std::optional<Departure> departure = source.next()) {
-      Arrival arrival = travel(*departure, stop);
-      source.arrived(*departure, std::move(arrival));
+  void run(SegmentSource& source, const std::atomic<bool>& stop) override {
+    while (std::optional<PathSegment> segment = source.next()) {
+      SegmentResult reached = travel(*segment, stop);
+      source.arrived(*segment, std::move(reached));
     }
   }
 
@@ -69,10 +69,11 @@ class CvodeSession : public TrackerSession {
   bool correct_trial(double s, std::span<const Complex> y);
 
   void set_up();
-  Arrival travel(const Departure& departure, const std::atomic<bool>& stop);
-  bool depart(const Departure& departure);
-  Journey step_on(const Departure& departure, const std::atomic<bool>& stop, Arrival& arrival);
-  bool take_samples(const Departure& departure, double previous, double s, Arrival& arrival);
+  SegmentResult travel(const PathSegment& segment, const std::atomic<bool>& stop);
+  bool depart(const PathSegment& segment);
+  SegmentStatus step_on(const PathSegment& segment, const std::atomic<bool>& stop,
+                        SegmentResult& reached);
+  bool take_samples(const PathSegment& segment, double previous, double s, SegmentResult& reached);
   void count_into(StepCount& count) const;
 
   static int right_hand_side(sunrealtype s, N_Vector state, N_Vector derivative, void* self);
@@ -124,12 +125,12 @@ void CvodeSession::forget() {
 }
 
 void CvodeSession::take_care() {
-  rtol_ = std::max(rtol_ / kCareFactor, std::min(loosest_rtol_, kTightest));
+  rtol_ = std::max(rtol_ / kToleranceFactor, std::min(loosest_rtol_, kTightest));
   forget();
 }
 
 void CvodeSession::ease() {
-  static const double factor = std::pow(kCareFactor, 1.0 / kCarefulSteps);
+  static const double factor = std::pow(kToleranceFactor, 1.0 / kCarefulSteps);
   rtol_ = std::min(loosest_rtol_, rtol_ * factor);
 }
 
@@ -221,16 +222,16 @@ int CvodeSession::weights(N_Vector y, N_Vector weight, void* self) {
   return std::isfinite(largest) && largest > 0 ? 0 : -1;
 }
 
-bool CvodeSession::depart(const Departure& departure) {
-  const double care = std::pow(kCareFactor, -departure.care);
-  contour_ = departure.contour;
-  path_.set_frame(departure.frame.get());
-  loosest_rtol_ = rtol_ = options_.rtol * care;
+bool CvodeSession::depart(const PathSegment& segment) {
+  const double tightening = std::pow(kToleranceFactor, -segment.tolerance_level);
+  contour_ = segment.contour;
+  path_.set_frame(segment.frame.get());
+  loosest_rtol_ = rtol_ = options_.rtol * tightening;
   newton_ = CorrectorOptions{};
-  newton_.largest_correction *= care;
+  newton_.largest_correction *= tightening;
   const auto x = coordinates(memory_.state());
-  const double norm = euclidean_norm(departure.x);
-  for (std::size_t i = 0; i < x.size(); ++i) x[i] = departure.x[i] / norm;
+  const double norm = euclidean_norm(segment.x);
+  for (std::size_t i = 0; i < x.size(); ++i) x[i] = segment.x[i] / norm;
   if (!path_.correct(x, contour_.at(0), CorrectorOptions{}, true).converged) return false;
   forget();
   return CVodeReInit(memory_.cvode(), 0, memory_.state()) == CV_SUCCESS &&
@@ -251,9 +252,9 @@ void CvodeSession::count_into(StepCount& count) const {
       static_cast<std::uint64_t>(error_failures + nonlinear_failures + projection_failures);
 }
 
-bool CvodeSession::take_samples(const Departure& departure, double previous, double s,
-                                Arrival& arrival) {
-  const auto samples = static_cast<double>(departure.samples);
+bool CvodeSession::take_samples(const PathSegment& segment, double previous, double s,
+                                SegmentResult& reached) {
+  const auto samples = static_cast<double>(segment.samples);
   const auto x = coordinates(memory_.state());
   for (double k = std::floor(previous * samples) + 1; k <= s * samples; ++k) {
     Point sample(x.begin(), x.end());
@@ -267,70 +268,70 @@ bool CvodeSession::take_samples(const Departure& departure, double previous, dou
     polish.tolerance = kSampleTolerance;
     forget();
     if (!path_.correct(sample, contour_.at(at), polish, true).converged) return false;
-    arrival.samples.push_back(std::move(sample));
+    reached.samples.push_back(std::move(sample));
   }
   return true;
 }
 
-Journey CvodeSession::step_on(const Departure& departure, const std::atomic<bool>& stop,
-                              Arrival& arrival) {
+SegmentStatus CvodeSession::step_on(const PathSegment& segment, const std::atomic<bool>& stop,
+                                    SegmentResult& reached) {
   const auto x = coordinates(memory_.state());
-  for (std::int64_t steps = 0; arrival.s < 1; ++steps) {
-    if (stop.load(std::memory_order_relaxed)) return Journey::cancelled;
-    if (steps >= options_.maximum_steps) return Journey::step_limit;
-    const double previous = arrival.s;
+  for (std::int64_t steps = 0; reached.s < 1; ++steps) {
+    if (stop.load(std::memory_order_relaxed)) return SegmentStatus::cancelled;
+    if (steps >= options_.maximum_steps) return SegmentStatus::step_limit;
+    const double previous = reached.s;
     last_correction_ = {};
-    const int flag = CVode(memory_.cvode(), 1, memory_.state(), &arrival.s, CV_ONE_STEP);
-    if (flag == CV_TOO_MUCH_WORK) return Journey::step_limit;
-    if (flag < 0 || !(arrival.s > previous)) {
-      arrival.s = previous;
-      return Journey::step_too_small;
+    const int flag = CVode(memory_.cvode(), 1, memory_.state(), &reached.s, CV_ONE_STEP);
+    if (flag == CV_TOO_MUCH_WORK) return SegmentStatus::step_limit;
+    if (flag < 0 || !(reached.s > previous)) {
+      reached.s = previous;
+      return SegmentStatus::step_too_small;
     }
     ease();
-    std::copy(x.begin(), x.end(), arrival.x.begin());
-    if (departure.samples > 0 && !take_samples(departure, previous, arrival.s, arrival)) {
-      return Journey::off_path;
+    std::copy(x.begin(), x.end(), reached.x.begin());
+    if (segment.samples > 0 && !take_samples(segment, previous, reached.s, reached)) {
+      return SegmentStatus::off_path;
     }
-    if (departure.watcher != nullptr &&
-        std::abs(contour_.at(arrival.s).rest) <= departure.watch_radius) {
+    if (segment.watcher != nullptr &&
+        std::abs(contour_.at(reached.s).rest) <= segment.watch_radius) {
       StepRecord record;
-      record.s = arrival.s;
-      record.t = contour_.at(arrival.s);
-      record.x = arrival.x;
-      record.step = arrival.s - previous;
+      record.s = reached.s;
+      record.t = contour_.at(reached.s);
+      record.x = reached.x;
+      record.step = reached.s - previous;
       CVodeGetLastOrder(memory_.cvode(), &record.order);
       record.drift = last_correction_.residual;
       record.correction = last_correction_.first;
       forget();
-      if (departure.watcher->watch(record, path_) == Watcher::Verdict::stop && arrival.s < 1) {
-        return Journey::stopped;
+      if (segment.watcher->watch(record, path_) == Watcher::Verdict::stop && reached.s < 1) {
+        return SegmentStatus::stopped;
       }
     }
   }
   if (!projects()) {
     forget();
-    if (!path_.correct(arrival.x, contour_.at(1), CorrectorOptions{}, true).converged) {
-      return Journey::off_path;
+    if (!path_.correct(reached.x, contour_.at(1), CorrectorOptions{}, true).converged) {
+      return SegmentStatus::off_path;
     }
   }
-  return Journey::arrived;
+  return SegmentStatus::arrived;
 }
 
-Arrival CvodeSession::travel(const Departure& departure, const std::atomic<bool>& stop) {
+SegmentResult CvodeSession::travel(const PathSegment& segment, const std::atomic<bool>& stop) {
   const WorkCount before = path_.work();
-  Arrival arrival;
-  arrival.x = departure.x;
-  if (!depart(departure)) {
-    arrival.journey = Journey::bad_start;
+  SegmentResult reached;
+  reached.x = segment.x;
+  if (!depart(segment)) {
+    reached.status = SegmentStatus::bad_start;
   } else {
     const auto x = coordinates(memory_.state());
-    std::copy(x.begin(), x.end(), arrival.x.begin());
-    arrival.journey = step_on(departure, stop, arrival);
-    count_into(arrival.count);
+    std::copy(x.begin(), x.end(), reached.x.begin());
+    reached.status = step_on(segment, stop, reached);
+    count_into(reached.count);
   }
-  arrival.t = contour_.at(arrival.s);
-  arrival.count.work = path_.work() - before;
-  return arrival;
+  reached.t = contour_.at(reached.s);
+  reached.count.work = path_.work() - before;
+  return reached;
 }
 
 class CvodeTracker : public Tracker {

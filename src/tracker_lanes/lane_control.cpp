@@ -14,7 +14,7 @@ constexpr double kSlack = 8;
 // Near t = 1, where paths may meet, steps aim at this tolerance at most.
 constexpr double kEndRadius = 0.1;
 constexpr double kEndTolerance = 1e-3;
-// A journey that sets out there and takes more steps than this, circles some tens, is going
+// A segment that sets out there and takes more steps than this, circles some tens, is going
 // nowhere.
 constexpr std::int64_t kMaximumStepsNearEnd = 2000;
 // Contraction of Newton above which a step is refused, and the one that steps aim at.
@@ -31,7 +31,7 @@ constexpr double kSafety = 0.9;
 constexpr double kLargestGrowth = 2;
 constexpr double kLargestCut = 0.25;
 constexpr double kLeastCut = 0.6;
-// The first step of a journey, in s.
+// The first step of a segment, in s.
 constexpr double kFirstStep = 1.0 / 64;
 // A step below this multiple of the spacing of numbers at s does not move the path.
 constexpr double kLeastStep = 4;
@@ -39,7 +39,7 @@ constexpr double kPolishContraction = 0.25;
 constexpr double kFarthestStart = 0.1;
 constexpr int kMaximumRounds = 4;
 // Each level of care divides the tolerance by so much.
-constexpr double kCareFactor = 10;
+constexpr double kToleranceFactor = 10;
 // The largest ratio that a step is sized by, so that no division overflows.
 constexpr double kAmpleRoom = 1e6;
 
@@ -66,18 +66,18 @@ double root_of_order(LanePredictor predictor, double a) {
 
 }  // namespace
 
-void LaneControl::depart(Departure&& departure, const LaneOptions& options,
+void LaneControl::depart(PathSegment&& segment, const LaneOptions& options,
                          const LaneRules& rules) {
-  departure_ = std::move(departure);
+  segment_ = std::move(segment);
   rules_ = rules;
   left_ = 1;
   time_ = time(0, 1);
-  const double care = std::pow(kCareFactor, -departure_->care);
-  arrival_ = Arrival{};
+  const double tightening = std::pow(kToleranceFactor, -segment_->tolerance_level);
+  reached_ = SegmentResult{};
   maximum_steps_ = options.maximum_steps;
   predictor_ = options.predictor;
-  tolerance_ = options.tolerance * care;
-  end_tolerance_ = std::min(options.tolerance, kEndTolerance) * care;
+  tolerance_ = options.tolerance * tightening;
+  end_tolerance_ = std::min(options.tolerance, kEndTolerance) * tightening;
   h_ = kFirstStep;
   rounds_ = 0;
   complete_ = false;
@@ -86,14 +86,14 @@ void LaneControl::depart(Departure&& departure, const LaneOptions& options,
 }
 
 double LaneControl::next_landing() const {
-  if (departure_->samples == 0) return 1;
-  const double taken = static_cast<double>(arrival_.samples.size());
-  return (taken + 1) / departure_->samples;
+  if (segment_->samples == 0) return 1;
+  const double taken = static_cast<double>(reached_.samples.size());
+  return (taken + 1) / segment_->samples;
 }
 
 bool LaneControl::has_landed() const {
   const double landing = next_landing();
-  return landing == 1 ? has_arrived() : arrival_.s == landing;
+  return landing == 1 ? has_arrived() : reached_.s == landing;
 }
 
 PathTime LaneControl::time(double s, double left) const {
@@ -101,15 +101,15 @@ PathTime LaneControl::time(double s, double left) const {
 }
 
 double LaneControl::least_step() const {
-  if (rules_.least_step > 0 && arrival_.s >= 0.5) return rules_.least_step;
-  return kLeastStep * std::numeric_limits<double>::epsilon() * std::max(arrival_.s, kFirstStep);
+  if (rules_.least_step > 0 && reached_.s >= 0.5) return rules_.least_step;
+  return kLeastStep * std::numeric_limits<double>::epsilon() * std::max(reached_.s, kFirstStep);
 }
 
 bool LaneControl::prepare() {
   complete_ = false;
   if (state_ == State::idle) return false;
   step_ = 0;
-  next_s_ = arrival_.s;
+  next_s_ = reached_.s;
   next_left_ = left_;
   next_time_ = time_;
   if (state_ != State::under_way) return true;
@@ -120,7 +120,7 @@ bool LaneControl::prepare() {
 
 void LaneControl::choose_step() {
   const double landing = next_landing();
-  const double remaining = landing == 1 ? left_ : landing - arrival_.s;
+  const double remaining = landing == 1 ? left_ : landing - reached_.s;
   if (h_ >= remaining) {
     step_ = remaining;
     next_s_ = landing;
@@ -129,24 +129,24 @@ void LaneControl::choose_step() {
   }
   // No crumb is left over: two equal steps where one and a bit would do.
   step_ = std::min(h_, remaining / 2);
-  if (rules_.least_step > 0 && arrival_.s >= 0.5) {
+  if (rules_.least_step > 0 && reached_.s >= 0.5) {
     next_left_ = left_ - step_;
     next_s_ = 1 - next_left_;
     step_ = left_ - next_left_;
   } else {
-    next_s_ = arrival_.s + step_;
+    next_s_ = reached_.s + step_;
     next_left_ = 1 - next_s_;
-    step_ = next_s_ - arrival_.s;
+    step_ = next_s_ - reached_.s;
   }
 }
 
 LaneControl::Move LaneControl::judge(const Outcome& outcome) {
-  arrival_.count.work.linearizations += 1;
-  arrival_.count.work.factorizations += 1;
-  arrival_.count.work.values += 1;
+  reached_.count.work.linearizations += 1;
+  reached_.count.work.factorizations += 1;
+  reached_.count.work.values += 1;
   switch (state_) {
     case State::departing:
-      return judge_departure(outcome);
+      return judge_segment(outcome);
     case State::under_way:
       return judge_step(outcome);
     case State::polishing:
@@ -159,19 +159,19 @@ LaneControl::Move LaneControl::judge(const Outcome& outcome) {
 }
 
 bool LaneControl::is_watched() const {
-  if (departure_->watcher == nullptr) return false;
-  const double radius = departure_->watch_radius;
+  if (segment_->watcher == nullptr) return false;
+  const double radius = segment_->watch_radius;
   return std::norm(time_.rest) <= radius * radius;
 }
 
 double LaneControl::wanted_accuracy() const {
-  return departure_->samples > 0 ? rules_.sample_tolerance : rules_.point_tolerance;
+  return segment_->samples > 0 ? rules_.sample_tolerance : rules_.point_tolerance;
 }
 
-LaneControl::Move LaneControl::judge_departure(const Outcome& outcome) {
+LaneControl::Move LaneControl::judge_segment(const Outcome& outcome) {
   ++rounds_;
   if (!(outcome.first <= kFarthestStart) || !std::isfinite(outcome.second)) {
-    end(Journey::bad_start);
+    end(SegmentStatus::bad_start);
     return Move::stay;
   }
   if (outcome.second <= rules_.point_tolerance) {
@@ -183,9 +183,9 @@ LaneControl::Move LaneControl::judge_departure(const Outcome& outcome) {
 }
 
 LaneControl::Move LaneControl::reject(double factor) {
-  ++arrival_.count.rejected;
+  ++reached_.count.rejected;
   h_ = step_ * std::clamp(factor, kLargestCut, kLeastCut);
-  if (h_ < least_step()) end(Journey::step_too_small);
+  if (h_ < least_step()) end(SegmentStatus::step_too_small);
   return Move::stay;
 }
 
@@ -214,10 +214,10 @@ bool LaneControl::bends_sharply(const Outcome& outcome) const {
 }
 
 LaneControl::Move LaneControl::accept(const Outcome& outcome) {
-  ++arrival_.count.accepted;
+  ++reached_.count.accepted;
   last_step_ = step_;
   last_ = outcome;
-  arrival_.s = next_s_;
+  reached_.s = next_s_;
   left_ = next_left_;
   time_ = next_time_;
   // A step that was cut short to land says nothing against the longer one.
@@ -239,7 +239,7 @@ LaneControl::Move LaneControl::accept(const Outcome& outcome) {
 LaneControl::Move LaneControl::judge_polish(const Outcome& outcome) {
   ++rounds_;
   if (!std::isfinite(outcome.first) || !std::isfinite(outcome.second)) {
-    end(Journey::off_path);
+    end(SegmentStatus::off_path);
     return Move::stay;
   }
   const bool contracts = outcome.second <= kPolishContraction * outcome.first;
@@ -259,15 +259,15 @@ bool LaneControl::is_proving_end() const {
 }
 
 LaneControl::Move LaneControl::judge_rescue(const Rescue& rescue) {
-  arrival_.count.work += rescue.work;
+  reached_.count.work += rescue.work;
   const State before = state_;
   if (!rescue.converged) {
     if (before == State::under_way) return reject(is_proving_end() ? kLargestCut : factor_);
-    end(before == State::departing ? Journey::bad_start : Journey::off_path);
+    end(before == State::departing ? SegmentStatus::bad_start : SegmentStatus::off_path);
     return Move::stay;
   }
-  arrival_.regular_condition = rescue.regular_condition;
-  arrival_.accuracy = rescue.accuracy;
+  reached_.regular_condition = rescue.regular_condition;
+  reached_.accuracy = rescue.accuracy;
   if (before == State::under_way) return accept({last_.first, 0, last_.residual});
   state_ = State::under_way;
   if (before == State::departing) return Move::depart;
@@ -276,48 +276,48 @@ LaneControl::Move LaneControl::judge_rescue(const Rescue& rescue) {
 }
 
 bool LaneControl::is_to_be_observed() const {
-  return complete_ && (is_watched() || (departure_->samples > 0 && has_landed()));
+  return complete_ && (is_watched() || (segment_->samples > 0 && has_landed()));
 }
 
 void LaneControl::observe(std::span<const Complex> x, PathSystem& path) {
   const bool at_end = has_arrived();
-  if (departure_->samples > 0 && has_landed()) arrival_.samples.emplace_back(x.begin(), x.end());
+  if (segment_->samples > 0 && has_landed()) reached_.samples.emplace_back(x.begin(), x.end());
   if (!is_watched()) return;
   StepRecord record;
-  record.s = arrival_.s;
+  record.s = reached_.s;
   record.t = time_;
   record.x = x;
   record.step = last_step_;
   record.order = order_of(predictor_);
   record.drift = last_.residual;
   record.correction = last_.first;
-  const auto verdict = departure_->watcher->watch(record, path);
-  if (verdict == Watcher::Verdict::stop && !at_end) end(Journey::stopped);
+  const auto verdict = segment_->watcher->watch(record, path);
+  if (verdict == Watcher::Verdict::stop && !at_end) end(SegmentStatus::stopped);
 }
 
 void LaneControl::close_step() {
-  if (complete_ && has_arrived()) end(Journey::arrived);
-  const std::uint64_t steps = arrival_.count.accepted + arrival_.count.rejected;
-  if (static_cast<std::int64_t>(steps) >= maximum_steps_) end(Journey::step_limit);
+  if (complete_ && has_arrived()) end(SegmentStatus::arrived);
+  const std::uint64_t steps = reached_.count.accepted + reached_.count.rejected;
+  if (static_cast<std::int64_t>(steps) >= maximum_steps_) end(SegmentStatus::step_limit);
 }
 
-void LaneControl::end(Journey journey) {
+void LaneControl::end(SegmentStatus status) {
   if (state_ == State::ended) return;
-  arrival_.journey = journey;
+  reached_.status = status;
   state_ = State::ended;
 }
 
-Arrival LaneControl::arrive(std::span<const Complex> x) {
-  arrival_.x.assign(x.begin(), x.end());
-  arrival_.t = time_;
-  return std::move(arrival_);
+SegmentResult LaneControl::arrive(std::span<const Complex> x) {
+  reached_.x.assign(x.begin(), x.end());
+  reached_.t = time_;
+  return std::move(reached_);
 }
 
-Departure LaneControl::leave() {
+PathSegment LaneControl::leave() {
   state_ = State::idle;
-  Departure departure = std::move(*departure_);
-  departure_.reset();
-  return departure;
+  PathSegment segment = std::move(*segment_);
+  segment_.reset();
+  return segment;
 }
 
 }  // namespace moivre

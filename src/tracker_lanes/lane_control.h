@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far does a lane step, and is the step accepted? The journey of one lane, without its
+// How far does a lane step, and is the step accepted? The segment of one lane, without its
 // arithmetic.
 //
 //   e = |dx_1|_w: how far the prediction was off the path;  theta = |dx_2|_w / |dx_1|_w: Newton's
@@ -30,7 +30,7 @@ namespace moivre {
 /// What the lanes' scalar allows.
 struct LaneRules {
   double point_tolerance =
-      0;  ///< of Newton at the start and the end of a journey, and where a watcher looks
+      0;  ///< of Newton at the start and the end of a segment, and where a watcher looks
   double sample_tolerance = 0;  ///< the same at samples, which go into Cauchy's integral
   double stagnation = 0;        ///< a correction that no longer contracts passes below this
   double rounding = 0;  ///< a second correction below this does not tell how Newton contracts
@@ -66,14 +66,14 @@ class LaneControl {
   /// or it is to be corrected more finely first, see judge_rescue().
   enum class Move { stay, correct, depart, step, rescue };
 
-  void depart(Departure&& departure, const LaneOptions& options, const LaneRules& rules);
+  void depart(PathSegment&& segment, const LaneOptions& options, const LaneRules& rules);
   bool is_idle() const { return state_ == State::idle; }
   bool has_ended() const { return state_ == State::ended; }
 
   /// Chooses the next step. False when the lane is idle.
   bool prepare();
   double step() const { return step_; }
-  const PathFrame* frame() const { return departure_->frame.get(); }
+  const PathFrame* frame() const { return segment_->frame.get(); }
   const PathTime& next_time() const { return next_time_; }
   Complex next_dt() const { return contour().dt(next_time_); }
 
@@ -91,19 +91,19 @@ class LaneControl {
   /// A step has been accepted and polished, and somebody wants its point.
   bool is_to_be_observed() const;
   void observe(std::span<const Complex> x, PathSystem& path);
-  /// Ends the journey where its end was reached.
+  /// Ends the segment where its end was reached.
   void close_step();
-  void end(Journey journey);
+  void end(SegmentStatus status);
 
-  /// The arrival of an ended journey at x.
-  Arrival arrive(std::span<const Complex> x);
-  /// Gives the departure back; the lane is idle.
-  Departure leave();
+  /// The result of an ended segment at x.
+  SegmentResult arrive(std::span<const Complex> x);
+  /// Gives the segment back; the lane is idle.
+  PathSegment leave();
 
  private:
   enum class State { idle, departing, under_way, polishing, ended };
 
-  Move judge_departure(const Outcome& outcome);
+  Move judge_segment(const Outcome& outcome);
   Move judge_step(const Outcome& outcome);
   Move judge_polish(const Outcome& outcome);
   Move accept(const Outcome& outcome);
@@ -117,14 +117,14 @@ class LaneControl {
   bool has_landed() const;
   bool has_arrived() const { return left_ == 0; }
   double least_step() const;
-  const Contour& contour() const { return departure_->contour; }
+  const Contour& contour() const { return segment_->contour; }
   PathTime time(double s, double left) const;
 
   State state_ = State::idle;
-  std::optional<Departure> departure_;
+  std::optional<PathSegment> segment_;
   LaneRules rules_;
-  Arrival arrival_;
-  double left_ = 1;  // 1 - arrival_.s
+  SegmentResult reached_;
+  double left_ = 1;  // 1 - reached_.s
   PathTime time_{0.0};
   std::int64_t maximum_steps_ = 0;
   LanePredictor predictor_ = LanePredictor::quintic;

@@ -50,7 +50,7 @@ class LanePath {
   LaneVector<R>& x() { return nodes_[0].x; }
   LaneVector<R>& tangent() { return nodes_[0].dx; }
 
-  /// Sets a lane's point, of norm 1, before its departure.
+  /// Sets a lane's point, of norm 1, before its segment.
   void place(std::size_t lane, std::span<const Number> x) {
     for (std::size_t i = 0; i < n_; ++i) {
       patch_.set(i, lane, conj(x[i]));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Which lane does what next? Every lane has a journey, a time and a step of its own; one call steps
+// Which lane does what next? Every lane has a segment, a time and a step of its own; one call steps
 // them all.
 //
-// A lane is departing (Newton from the departure's x), under way, polishing a sample, or idle. What
-// it does is decided by its own numbers alone, so a journey does not depend on its lane, nor on
-// what the others carry. A lane whose journey has ended hands in the arrival and takes the next
-// departure before the next step.
+// A lane is departing (Newton from the segment's x), under way, polishing a sample, or idle. What
+// it does is decided by its own numbers alone, so a segment does not depend on its lane, nor on
+// what the others carry. A lane whose segment has ended hands in the result and takes the next
+// segment before the next step.
 #if defined(MOIVRE_LANE_SESSION_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MOIVRE_LANE_SESSION_INL_H_
 #undef MOIVRE_LANE_SESSION_INL_H_
@@ -37,7 +37,7 @@ class LaneSession : public TrackerSession {
         point_(newton_.coordinates()),
         tangent_(newton_.coordinates()) {}
 
-  void run(DepartureSource& source, const std::atomic<bool>& stop) override {
+  void run(SegmentSource& source, const std::atomic<bool>& stop) override {
     bool may_have_more = true;
     for (;;) {
       if (may_have_more) may_have_more = refill(source);
@@ -54,7 +54,7 @@ class LaneSession : public TrackerSession {
       for (std::size_t lane = 0; lane < W; ++lane) {
         if (lanes_[lane].is_idle()) continue;
         report(lane);
-        if (cancelled) lanes_[lane].end(Journey::cancelled);
+        if (cancelled) lanes_[lane].end(SegmentStatus::cancelled);
         if (lanes_[lane].has_ended()) {
           hand_in(lane, source);
           may_have_more = true;
@@ -67,16 +67,16 @@ class LaneSession : public TrackerSession {
   using Real = typename LaneScalar<R>::Real;
   using Number = typename LaneScalar<R>::Number;
 
-  bool refill(DepartureSource& source) {
+  bool refill(SegmentSource& source) {
     for (std::size_t lane = 0; lane < W; ++lane) {
       if (!lanes_[lane].is_idle()) continue;
-      std::optional<Departure> departure = source.next();
-      if (!departure) return false;
-      std::copy(departure->x.begin(), departure->x.end(), point_.begin());
+      std::optional<PathSegment> segment = source.next();
+      if (!segment) return false;
+      std::copy(segment->x.begin(), segment->x.end(), point_.begin());
       newton_.normalize(point_);
       path_.place(lane, point_);
-      step_.set_frame(lane, departure->frame);
-      lanes_[lane].depart(std::move(*departure), options_, LaneNewton<Number>::kRules);
+      step_.set_frame(lane, segment->frame);
+      lanes_[lane].depart(std::move(*segment), options_, LaneNewton<Number>::kRules);
     }
     return true;
   }
@@ -138,10 +138,10 @@ class LaneSession : public TrackerSession {
     control.close_step();
   }
 
-  void hand_in(std::size_t lane, DepartureSource& source) {
-    Arrival arrival = lanes_[lane].arrive(extract(lane));
-    const Departure departure = lanes_[lane].leave();
-    source.arrived(departure, std::move(arrival));
+  void hand_in(std::size_t lane, SegmentSource& source) {
+    SegmentResult reached = lanes_[lane].arrive(extract(lane));
+    const PathSegment segment = lanes_[lane].leave();
+    source.arrived(segment, std::move(reached));
   }
 
   LaneOptions options_;

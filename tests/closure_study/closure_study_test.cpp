@@ -23,10 +23,10 @@ StudySetting setting(double rtol) {
 }
 
 StudyResult study(const std::string& name) {
-  const auto referee = make_cvode_tracker({.rtol = 1e-5});
+  const auto reference_tracker = make_cvode_tracker({.rtol = 1e-5});
   const auto witness = make_cvode_tracker({.rtol = 1e-4});
-  return study_mechanism(mechanism(name), {setting(1e-2), setting(1e-3)}, *referee, witness.get(),
-                         {.seeds = 1});
+  return study_mechanism(mechanism(name), {setting(1e-2), setting(1e-3)}, *reference_tracker,
+                         witness.get(), {.seeds = 1});
 }
 
 TEST(ClosureStudy, FindsTheClosuresOfAFourBarWithEverySetting) {

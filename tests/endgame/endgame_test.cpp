@@ -28,10 +28,10 @@ constexpr double kRippleOrder = 7;
 
 System read(const std::string& text) { return read_system({"test", text}); }
 
-/// A verdict and the departures that led to it.
+/// A verdict and the segments that led to it.
 struct Followed {
   PathEnd end;
-  int departures = 0;
+  int segments = 0;
 
   Point affine() const {
     Point x(end.x.begin(), end.x.end() - 1);
@@ -62,28 +62,28 @@ class Paths {
     const auto session = tracker->open(homotopy_);
     PathSystem scratch(homotopy_);
     Endgame endgame(options, homotopy_.chart(), path, 0);
-    std::optional<Departure> departure = endgame.depart(start);
+    std::optional<PathSegment> segment = endgame.depart(start);
     Followed followed;
-    while (departure) {
-      ++followed.departures;
-      departure = endgame.accept(follow(*session, std::move(*departure), token), scratch);
+    while (segment) {
+      ++followed.segments;
+      segment = endgame.accept(follow(*session, std::move(*segment), token), scratch);
     }
     followed.end = endgame.end();
     return followed;
   }
 
-  /// The first departure is followed; every later one gets nowhere.
+  /// The first segment is followed; every later one gets nowhere.
   PathEnd follow_whole_way_only(std::uint64_t path) const {
     const std::atomic<bool> go_on{false};
     const auto tracker = make_cvode_tracker();
     const auto session = tracker->open(homotopy_);
     PathSystem scratch(homotopy_);
     Endgame endgame({}, homotopy_.chart(), path, 0);
-    Departure first = endgame.depart(start_point(start_, path));
+    PathSegment first = endgame.depart(start_point(start_, path));
     auto next = endgame.accept(follow(*session, std::move(first), go_on), scratch);
     while (next) {
-      Arrival stuck;
-      stuck.journey = Journey::step_too_small;
+      SegmentResult stuck;
+      stuck.status = SegmentStatus::step_too_small;
       stuck.x = next->x;
       next = endgame.accept(std::move(stuck), scratch);
     }
@@ -105,19 +105,19 @@ class Paths {
     step.t = PathTime(1 - kOutpost, kOutpost);
     step.x = first;
     endgame.watch(step, scratch);
-    Arrival arrival;
-    arrival.t = step.t;
-    arrival.x = first;
-    arrival.journey = Journey::step_too_small;
+    SegmentResult reached;
+    reached.t = step.t;
+    reached.x = first;
+    reached.status = SegmentStatus::step_too_small;
     std::size_t circle = 0;
-    while (const auto next = endgame.accept(std::move(arrival), scratch)) {
-      arrival = Arrival{};
-      arrival.journey = Journey::arrived;
+    while (const auto next = endgame.accept(std::move(reached), scratch)) {
+      reached = SegmentResult{};
+      reached.status = SegmentStatus::arrived;
       for (int k = 1; k <= next->samples; ++k) {
-        arrival.samples.push_back(point(circle, static_cast<double>(k) / next->samples));
+        reached.samples.push_back(point(circle, static_cast<double>(k) / next->samples));
       }
       if (next->samples > 0) ++circle;
-      arrival.x = point(circle, 0);
+      reached.x = point(circle, 0);
     }
     return endgame.end();
   }
@@ -170,7 +170,7 @@ TEST(Endgame, IsLeftOutOnRegularEnds) {
     const auto all = paths.follow_all();
     for (const Followed& path : all) {
       EXPECT_EQ(path.end.status, PathStatus::finite);
-      EXPECT_EQ(path.departures, 1);
+      EXPECT_EQ(path.segments, 1);
       EXPECT_EQ(path.end.winding, std::nullopt);
       EXPECT_FALSE(path.end.singular);
     }
@@ -199,7 +199,7 @@ void expect_winding(const std::vector<Followed>& all, const Point& x, std::size_
   for (const Followed* path : found) {
     EXPECT_EQ(path->end.winding, winding);
     EXPECT_TRUE(path->end.singular);
-    EXPECT_GT(path->departures, winding);
+    EXPECT_GT(path->segments, winding);
   }
 }
 
@@ -251,7 +251,7 @@ TEST(Endgame, SimpleEndAtInfinityNeedsOneTurn) {
     const Followed path = paths.follow_path(0);
     EXPECT_EQ(path.end.status, PathStatus::at_infinity);
     // The way, to a radius that all paths have in common, and round.
-    EXPECT_LE(path.departures, 3);
+    EXPECT_LE(path.segments, 3);
     EXPECT_EQ(path.end.winding, std::nullopt);
   });
 }
@@ -342,9 +342,9 @@ TEST(Endgame, PathThatEndsOnTheWayFailsWithAStepTooSmall) {
   PathSystem scratch(homotopy);
   Endgame endgame({}, homotopy.chart(), 0, 0);
   // x^2 = 1 - 2 t: both paths meet at x = 0 for t = 1/2, where the tangent is infinite.
-  std::optional<Departure> departure = endgame.depart({1, 1});
-  while (departure) {
-    departure = endgame.accept(follow(*session, std::move(*departure), go_on), scratch);
+  std::optional<PathSegment> segment = endgame.depart({1, 1});
+  while (segment) {
+    segment = endgame.accept(follow(*session, std::move(*segment), go_on), scratch);
   }
   EXPECT_EQ(endgame.end().status, PathStatus::failed);
   EXPECT_EQ(endgame.end().failure, Failure::step_too_small);
@@ -412,9 +412,9 @@ TEST(Endgame, APathThatWaitsGoesOnElsewhereAsItWouldHere) {
   EndgameOptions options;
   options.may_wait = true;
   Endgame here(options, homotopy.chart(), 0, 0);
-  const auto follow_on = [&](Endgame& endgame, std::optional<Departure> departure) {
-    while (departure) {
-      departure = endgame.accept(follow(*session, std::move(*departure), run_on), scratch);
+  const auto follow_on = [&](Endgame& endgame, std::optional<PathSegment> segment) {
+    while (segment) {
+      segment = endgame.accept(follow(*session, std::move(*segment), run_on), scratch);
     }
   };
   follow_on(here, here.depart(start_point(start, 0)));

@@ -14,23 +14,23 @@
 namespace moivre {
 namespace {
 
-/// Arrivals are corrected to 1e-9 and less (tracker/path_system.h).
+/// Ends are corrected to 1e-9 and less (tracker/path_system.h).
 constexpr double kArrived = 1e-8;
 const std::vector<std::string> kDistances{"1e-4", "1e-8", "1e-12"};
 
 System equation(const std::string& text) { return read_system({"test", "1\n" + text + ";\n"}); }
 
-/// The ends of departures from `starts`, t from 0 to 1; nothing where a journey did not arrive.
+/// The ends of segments from `starts`, t from 0 to 1; nothing where a segment did not arrive.
 std::vector<std::optional<Complex>> ends(const Tracker& tracker, const Homotopy& homotopy,
                                          const std::vector<Complex>& starts) {
   const auto session = tracker.open(homotopy);
   const std::atomic<bool> stop{false};
   std::vector<std::optional<Complex>> found;
   for (const Complex& start : starts) {
-    const Arrival arrival =
+    const SegmentResult reached =
         follow(*session, {found.size(), Contour::segment(0, 1), {start, 1.0}, 0, 0, nullptr}, stop);
-    found.push_back(arrival.journey == Journey::arrived
-                        ? std::optional<Complex>(arrival.x[0] / arrival.x[1])
+    found.push_back(reached.status == SegmentStatus::arrived
+                        ? std::optional<Complex>(reached.x[0] / reached.x[1])
                         : std::nullopt);
   }
   return found;

@@ -60,10 +60,10 @@ struct Cubics {
     const auto session = tracker.open(homotopy);
     std::uint64_t steps = 0;
     for (std::uint64_t path = 0; path < start.paths; ++path) {
-      const Arrival arrival = follow(
+      const SegmentResult reached = follow(
           *session, {path, Contour::segment(0, 1), start_point(start, path), 0, 0, nullptr}, stop);
-      EXPECT_EQ(arrival.journey, Journey::arrived) << path;
-      steps += arrival.count.accepted;
+      EXPECT_EQ(reached.status, SegmentStatus::arrived) << path;
+      steps += reached.count.accepted;
     }
     return static_cast<double>(steps);
   }
@@ -96,10 +96,10 @@ TEST(OrderOfConvergence, StepsInDoubleDoubleGrowByTheOrdersOfTheirPredictors) {
     const SquareRoots roots(random_constant(random));
     const std::atomic<bool> stop{false};
     const auto steps = [&](const Tracker& tracker) {
-      const Arrival arrival = follow(*tracker.open(roots.homotopy),
-                                     {0, Contour::segment(0, 1), {1, 1}, 0, 0, nullptr}, stop);
-      EXPECT_EQ(arrival.journey, Journey::arrived);
-      return static_cast<double>(arrival.count.accepted);
+      const SegmentResult reached = follow(
+          *tracker.open(roots.homotopy), {0, Contour::segment(0, 1), {1, 1}, 0, 0, nullptr}, stop);
+      EXPECT_EQ(reached.status, SegmentStatus::arrived);
+      return static_cast<double>(reached.count.accepted);
     };
     // The tracker for one path predicts to order 12, the lanes to order 6.
     const auto alone = [&](double tolerance) {

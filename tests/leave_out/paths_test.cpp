@@ -62,36 +62,35 @@ class CountingTracker : public Tracker {
 
   mutable int sessions = 0;
   mutable int fine_sessions = 0;  // in double-double
-  mutable int departures = 0;
+  mutable int segments = 0;
   mutable int samples = 0;
 
  private:
-  class Source : public DepartureSource {
+  class Source : public SegmentSource {
    public:
-    Source(const CountingTracker& counts, DepartureSource& inner)
-        : counts_(counts), inner_(inner) {}
-    std::optional<Departure> next() override {
-      std::optional<Departure> departure = inner_.next();
-      if (departure) {
+    Source(const CountingTracker& counts, SegmentSource& inner) : counts_(counts), inner_(inner) {}
+    std::optional<PathSegment> next() override {
+      std::optional<PathSegment> segment = inner_.next();
+      if (segment) {
         const std::lock_guard lock(counts_.mutex_);
-        ++counts_.departures;
-        counts_.samples += departure->samples;
+        ++counts_.segments;
+        counts_.samples += segment->samples;
       }
-      return departure;
+      return segment;
     }
-    void arrived(const Departure& departure, Arrival&& arrival) override {
-      inner_.arrived(departure, std::move(arrival));
+    void arrived(const PathSegment& segment, SegmentResult&& reached) override {
+      inner_.arrived(segment, std::move(reached));
     }
 
    private:
     const CountingTracker& counts_;
-    DepartureSource& inner_;
+    SegmentSource& inner_;
   };
   class Session : public TrackerSession {
    public:
     Session(const CountingTracker& counts, std::unique_ptr<TrackerSession> inner)
         : counts_(counts), inner_(std::move(inner)) {}
-    void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+    void run(SegmentSource& source, const std::atomic<bool>& stop) noexcept override {
       Source counted(counts_, source);
       inner_->run(counted, stop);
     }
@@ -141,7 +140,7 @@ TEST(LeaveOut, NoEndgameRunsOnRegularEnds) {
     const SolveResult result = solve(problem("katsura-5"), tracker, on_threads(1));
     ASSERT_TRUE(result.complete);
     ASSERT_EQ(result.paths.finite, result.start.paths);
-    EXPECT_EQ(tracker.departures, static_cast<int>(result.start.paths)) << tracker.kind();
+    EXPECT_EQ(tracker.segments, static_cast<int>(result.start.paths)) << tracker.kind();
     EXPECT_EQ(tracker.samples, 0) << tracker.kind();
   }
 }

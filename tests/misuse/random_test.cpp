@@ -187,7 +187,7 @@ SolveOptions random_options(Slips& slips) {
   SolveOptions options;
   options.threads = 1;
   if (slips.one_in(8)) options.threads = slips.one_in(2) ? -1 : 1 << 20;
-  if (slips.one_in(20)) options.care = -1;
+  if (slips.one_in(20)) options.tolerance_level = -1;
   if (slips.one_in(10)) options.slice = true;
   if (slips.one_in(20)) options.start = StartKind::polyhedral;
   return options;

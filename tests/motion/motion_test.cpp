@@ -580,18 +580,18 @@ TEST(Motion, ClosuresThatStayComplexAreSolvedAFewTimesMore) {
   EXPECT_LE(result.paths.tracked, 2 * (65 + 8));
 }
 
-/// Every journey is told to have failed.
-class FailingSource : public DepartureSource {
+/// Every segment is told to have failed.
+class FailingSource : public SegmentSource {
  public:
-  explicit FailingSource(DepartureSource& source) : source_(source) {}
-  std::optional<Departure> next() override { return source_.next(); }
-  void arrived(const Departure& departure, Arrival&& arrival) override {
-    arrival.journey = Journey::step_too_small;
-    source_.arrived(departure, std::move(arrival));
+  explicit FailingSource(SegmentSource& source) : source_(source) {}
+  std::optional<PathSegment> next() override { return source_.next(); }
+  void arrived(const PathSegment& segment, SegmentResult&& reached) override {
+    reached.status = SegmentStatus::step_too_small;
+    source_.arrived(segment, std::move(reached));
   }
 
  private:
-  DepartureSource& source_;
+  SegmentSource& source_;
 };
 
 /// CVODE, whose sessions fail from number `limit` on.
@@ -604,7 +604,7 @@ class TiringTracker : public Tracker {
     class Session : public TrackerSession {
      public:
       explicit Session(std::unique_ptr<TrackerSession> inner) : inner_(std::move(inner)) {}
-      void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+      void run(SegmentSource& source, const std::atomic<bool>& stop) noexcept override {
         FailingSource failing(source);
         inner_->run(failing, stop);
       }

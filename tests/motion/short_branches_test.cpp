@@ -131,10 +131,10 @@ TEST(ShortBranches, WhatIsLeftUnseenBetweenEventsIsTold) {
   const auto tracker = make_lane_tracker();
   const auto doubts_after = [&](std::size_t times) {
     MotionRun run(m, options, motion_times(options, options.checkpoints), stop);
-    std::vector<Scene> scenes = solve_scenes(run, *tracker);
-    reconcile(run, scenes);
+    std::vector<SolvedCheckpoint> checkpoints = solve_checkpoints(run, *tracker);
+    reconcile(run, checkpoints);
     PairSearch pairs(run, *tracker);
-    search_pairs(run, *tracker, scenes, pairs, times);
+    search_pairs(run, *tracker, checkpoints, pairs, times);
     return pairs.doubts();
   };
   EXPECT_TRUE(doubts_after(kMostSearches).empty());

@@ -9,8 +9,8 @@
 #include <numbers>
 #include <set>
 
-#include "journeys.h"
 #include "moivre/tracker/double_double_tracker.h"
+#include "segments.h"
 
 namespace moivre::test {
 namespace {
@@ -30,9 +30,9 @@ Point root(int m, int k) {
   return {std::polar(std::pow(std::abs(kPower), 1.0 / m), angle), 1};
 }
 
-std::vector<Arrival> arrivals(const Tracker& tracker, const Homotopy& homotopy, int m) {
+std::vector<SegmentResult> results(const Tracker& tracker, const Homotopy& homotopy, int m) {
   const auto session = tracker.open(homotopy);
-  std::vector<Arrival> all;
+  std::vector<SegmentResult> all;
   for (int k = 0; k < m; ++k) all.push_back(follow(*session, from(root(m, k)), kGoOn));
   return all;
 }
@@ -42,17 +42,18 @@ TEST(MultiprecisionTracker, PartsTenRootsWithinAMillionth) {
   for (const int digits : kTrackedDigits) {
     SCOPED_TRACE(digits);
     std::set<int> found;
-    for (const Arrival& arrival : arrivals(*make_multiprecision_tracker(digits), homotopy, 10)) {
-      ASSERT_EQ(arrival.journey, Journey::arrived);
-      ASSERT_TRUE(arrival.regular_condition);
-      const Complex apart = affine(arrival.x) - 1.0;
+    for (const SegmentResult& reached :
+         results(*make_multiprecision_tracker(digits), homotopy, 10)) {
+      ASSERT_EQ(reached.status, SegmentStatus::arrived);
+      ASSERT_TRUE(reached.regular_condition);
+      const Complex apart = affine(reached.x) - 1.0;
       EXPECT_NEAR(std::abs(apart), 1e-6, 1e-15);
       found.insert(static_cast<int>(std::lround(std::arg(apart) * 5 / std::numbers::pi)) % 10);
     }
     EXPECT_EQ(found.size(), 10U);
   }
-  for (const Arrival& arrival : arrivals(*make_double_double_tracker(), homotopy, 10)) {
-    EXPECT_NE(arrival.journey, Journey::arrived);
+  for (const SegmentResult& reached : results(*make_double_double_tracker(), homotopy, 10)) {
+    EXPECT_NE(reached.status, SegmentStatus::arrived);
   }
 }
 
@@ -62,21 +63,21 @@ TEST(MultiprecisionTracker, PartsThirtyRootsInThreeHundredDigitsOnly) {
     const auto session = make_multiprecision_tracker(digits)->open(homotopy);
     return follow(*session, from(root(30, 0)), kGoOn);
   };
-  EXPECT_EQ(ends_of(100).journey, Journey::step_too_small);
-  const Arrival arrival = ends_of(300);
-  ASSERT_EQ(arrival.journey, Journey::arrived);
-  EXPECT_NEAR(std::abs(affine(arrival.x) - 1.0), 1e-6, 1e-15);
-  EXPECT_GT(*arrival.regular_condition, 1e150);
+  EXPECT_EQ(ends_of(100).status, SegmentStatus::step_too_small);
+  const SegmentResult reached = ends_of(300);
+  ASSERT_EQ(reached.status, SegmentStatus::arrived);
+  EXPECT_NEAR(std::abs(affine(reached.x) - 1.0), 1e-6, 1e-15);
+  EXPECT_GT(*reached.regular_condition, 1e150);
 }
 
 // 1 - t falls by 80 powers of ten on the way, in steps of its logarithm.
 TEST(MultiprecisionTracker, ComesNearAMultipleRootInFewStepsAndDoesNotArrive) {
   const Homotopy homotopy = from_roots(3, "1/3*(x - 1)^3");
-  for (const Arrival& arrival : arrivals(*make_multiprecision_tracker(100), homotopy, 3)) {
-    EXPECT_EQ(arrival.journey, Journey::step_too_small);
-    EXPECT_LT(std::abs(arrival.t.rest), 1e-80);
-    EXPECT_FALSE(arrival.regular_condition);
-    EXPECT_LT(arrival.count.accepted, 300U);
+  for (const SegmentResult& reached : results(*make_multiprecision_tracker(100), homotopy, 3)) {
+    EXPECT_EQ(reached.status, SegmentStatus::step_too_small);
+    EXPECT_LT(std::abs(reached.t.rest), 1e-80);
+    EXPECT_FALSE(reached.regular_condition);
+    EXPECT_LT(reached.count.accepted, 300U);
   }
 }
 

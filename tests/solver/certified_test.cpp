@@ -450,11 +450,9 @@ class CertifiedEnds : public testing::Test {
     ASSERT_NE(root.certificate, nullptr);
     root.point = refiner.take(*root.certificate);
     root.tolerance = 1e-13;
-    run.ledger.enter_root(path, std::move(root));
+    run.table.enter_root(path, std::move(root));
   }
-  void enter_failure(std::uint64_t path) {
-    run.ledger.enter_failure({path, Failure::precision, 1});
-  }
+  void enter_failure(std::uint64_t path) { run.table.enter_failure({path, Failure::precision, 1}); }
 
   // Roots 1 and 1 + 1e-14.
   System f = read("1\n (x - 1)*(x - 1 - 1/100000000000000);\n");
@@ -493,9 +491,9 @@ TEST_F(CertifiedEnds, AMetBoundLeavesNothingInDoubt) {
   enter_root(2, 1);  // jumped
   enter_failure(3);
   EXPECT_TRUE(settle_by_bound(run));
-  EXPECT_EQ(run.ledger.count(PathVerdict::not_needed), 2U);
-  EXPECT_EQ(run.ledger.roots().size(), 2U);
-  EXPECT_TRUE(run.ledger.failures().empty());
+  EXPECT_EQ(run.table.count(PathVerdict::not_needed), 2U);
+  EXPECT_EQ(run.table.roots().size(), 2U);
+  EXPECT_TRUE(run.table.failures().empty());
 }
 
 TEST_F(CertifiedEnds, OneRootTwiceMeetsNoBoundOfTwo) {
@@ -503,15 +501,15 @@ TEST_F(CertifiedEnds, OneRootTwiceMeetsNoBoundOfTwo) {
   enter_root(1, 1);
   enter_failure(2);
   EXPECT_FALSE(settle_by_bound(run));
-  EXPECT_EQ(run.ledger.count(PathVerdict::not_needed), 0U);
-  EXPECT_EQ(run.ledger.failures().size(), 1U);
+  EXPECT_EQ(run.table.count(PathVerdict::not_needed), 0U);
+  EXPECT_EQ(run.table.failures().size(), 1U);
 }
 
 TEST_F(CertifiedEnds, RootsNearerThanTheirTolerancesAreTwoByProof) {
   enter_root(0, 1);
   enter_root(1, 1 + 1e-14);
   enter_root(2, 1);
-  EXPECT_EQ(run.ledger.groups(), (std::vector<std::vector<std::uint64_t>>{{0, 1, 2}}));
+  EXPECT_EQ(run.table.groups(), (std::vector<std::vector<std::uint64_t>>{{0, 1, 2}}));
   EXPECT_EQ(groups_of(run), (std::vector<std::vector<std::uint64_t>>{{0, 2}, {1}}));
   EXPECT_EQ(proved_roots(run), 2U);
 }
@@ -524,8 +522,8 @@ TEST_F(CertifiedEnds, ThatAreOneMultipleRootByMistakeArePutRight) {
   root.winding = 2;
   root.tolerance = 1e-7;
   root.on_set = SetHere::none;
-  run.ledger.enter_root(0, Root(root));
-  run.ledger.enter_root(1, Root(root));
+  run.table.enter_root(0, Root(root));
+  run.table.enter_root(1, Root(root));
   part_clusters(run);
   EXPECT_EQ(proved_roots(run), 2U);
   EXPECT_EQ(groups_of(run).size(), 2U);
@@ -539,7 +537,7 @@ TEST_F(CertifiedEnds, ThatAreMoreThanTheRootsHaveFailed) {
   root.winding = 3;
   root.tolerance = 1e-7;
   root.on_set = SetHere::none;
-  for (const std::uint64_t path : {0U, 1U, 2U}) run.ledger.enter_root(path, Root(root));
+  for (const std::uint64_t path : {0U, 1U, 2U}) run.table.enter_root(path, Root(root));
   part_clusters(run);
   const JudgedEnds judged = judge(run);
   EXPECT_TRUE(judged.roots.empty());

@@ -76,7 +76,7 @@ TEST(ExactRootsWithoutPaths, AreNoProofButAContradiction) {
   const SolveOptions options;
   const Setting setting(f, *tracker, options, stop);
   moivre::Run run(setting);
-  for (std::uint64_t path = 0; path < 4; ++path) run.ledger.enter_infinity(path, false);
+  for (std::uint64_t path = 0; path < 4; ++path) run.table.enter_infinity(path, false);
   EXPECT_FALSE(settle_by_bound(run));
   EXPECT_FALSE(settle_by_bound(run));
   EXPECT_EQ(contradiction_by_algebra(run, roots_to_compare(run), SolveResult{}),
@@ -84,7 +84,7 @@ TEST(ExactRootsWithoutPaths, AreNoProofButAContradiction) {
   for (std::uint64_t path = 0; path < 4; ++path) {
     FailedPath failed;
     failed.path = path;
-    run.ledger.enter_failure(failed);
+    run.table.enter_failure(failed);
   }
   EXPECT_TRUE(settle_by_bound(run));
   EXPECT_TRUE(run.bounds.met);
@@ -92,7 +92,7 @@ TEST(ExactRootsWithoutPaths, AreNoProofButAContradiction) {
 
 // What the digits of the file send to infinity may be a root of the file to the letter.
 TEST_F(Contradiction, AllowsForEndsThatTheDigitsOfTheFileDoNotTell) {
-  run_.ledger.enter_infinity(0, true);
+  run_.table.enter_infinity(0, true);
   EXPECT_EQ(of(with_roots(3, 1), 4), "");
   EXPECT_NE(of(with_roots(2, 1), 4), "");
 }
@@ -289,13 +289,13 @@ TEST(WaitingPaths, AreOnlyThoseOfAnEffortThatIsUnderWay) {
   track_all(run);
   EXPECT_EQ(run.effort, Effort::all_steps);
   EXPECT_EQ(run.waiting.size(), 50U);
-  EXPECT_EQ(run.ledger.tracked(), 70U);
+  EXPECT_EQ(run.table.tracked(), 70U);
   track_waiting(run, Effort::few_steps);
   EXPECT_EQ(run.effort, Effort::all_steps);
-  EXPECT_EQ(run.waiting.size() + run.ledger.tracked(), 120U);
+  EXPECT_EQ(run.waiting.size() + run.table.tracked(), 120U);
   track_waiting(run, Effort::all_steps);
   EXPECT_TRUE(run.waiting.empty());
-  EXPECT_EQ(run.ledger.tracked(), 120U);
+  EXPECT_EQ(run.table.tracked(), 120U);
 }
 
 // A curve beside the roots: no bound is met, and few paths go on with all their steps.

@@ -19,10 +19,10 @@ using Cycles = std::vector<std::vector<std::size_t>>;
 
 constexpr double kRadius = 1e-4;
 
-/// Turns from mark to mark, all at one radius.
-std::vector<Turn> turns_between(const std::vector<std::pair<Complex, Complex>>& marks) {
+/// Turns from hash to hash, all at one radius.
+std::vector<Turn> turns_between(const std::vector<std::pair<Complex, Complex>>& hashes) {
   std::vector<Turn> turns;
-  for (const auto& [begin, end] : marks) turns.push_back({kRadius, begin, end});
+  for (const auto& [begin, end] : hashes) turns.push_back({kRadius, begin, end});
   return turns;
 }
 
@@ -71,10 +71,10 @@ TEST(Cycles, AreWalkedOnceForAllTheirSheets) {
     track_all(together);
     track_waiting(together, Effort::all_steps);
     std::uint64_t steps_alone = 0;
-    for (std::uint64_t path = 0; path < together.ledger.tracked(); ++path) {
+    for (std::uint64_t path = 0; path < together.table.tracked(); ++path) {
       const Trace alone = trace_path(f, *tracker, options, path, go_on);
       EXPECT_EQ(alone.end.status == PathStatus::at_infinity,
-                together.ledger.records()[path].verdict == PathVerdict::at_infinity)
+                together.table.records()[path].verdict == PathVerdict::at_infinity)
           << path;
       steps_alone += alone.end.count.accepted;
     }

@@ -30,7 +30,7 @@ class JudgedPaths : public testing::Test {
     ASSERT_NE(root.certificate, nullptr);
     root.point = refiner.take(*root.certificate);
     root.tolerance = 1e-13;
-    run.ledger.enter_root(path, std::move(root));
+    run.table.enter_root(path, std::move(root));
   }
   void cycle(std::uint64_t path, Complex x, int winding) {
     Root root;
@@ -39,9 +39,9 @@ class JudgedPaths : public testing::Test {
     root.winding = winding;
     root.tolerance = 1e-7;
     root.on_set = SetHere::none;
-    run.ledger.enter_root(path, std::move(root));
+    run.table.enter_root(path, std::move(root));
   }
-  void lost(std::uint64_t path) { run.ledger.enter_failure({path, Failure::step_limit, 0.5}); }
+  void lost(std::uint64_t path) { run.table.enter_failure({path, Failure::step_limit, 0.5}); }
   Groups roots() {
     Groups groups = judge(run).roots;
     std::sort(groups.begin(), groups.end());
@@ -94,7 +94,7 @@ TEST_F(JudgedPaths, HaveJumpedWhereTheyCameBackToOneSheet) {
   cycle(2, 1, 2);
   run.sheets.set(2, 0.25);
   run.sheets.set(3, 0.25);
-  run.ledger.enter_infinity(3);
+  run.table.enter_infinity(3);
   const JudgedEnds judged = judge(run);
   EXPECT_EQ(judged.roots, (Groups{{0}}));
   EXPECT_EQ(judged.open.at(1), Question::no_root);  // its cycle has lost a sheet
@@ -106,11 +106,11 @@ TEST_F(JudgedPaths, HaveJumpedWhereTheyCameBackToOneSheet) {
 TEST_F(JudgedPaths, ThatAreRefutedAreOpenUntilAnotherEndIsSeen) {
   cycle(0, 1, 2);
   cycle(1, 1, 2);
-  run.ledger.refute(0);
-  run.ledger.refute(1);
+  run.table.refute(0);
+  run.table.refute(1);
   EXPECT_TRUE(judge(run).roots.empty());
   EXPECT_EQ(judge(run).open.at(0), Question::no_root);
-  EXPECT_EQ(run.ledger.roots().size(), 2U);  // what was seen stays on record
+  EXPECT_EQ(run.table.roots().size(), 2U);  // what was seen stays on record
   cycle(0, 1, 2);
   cycle(1, 1, 2);
   EXPECT_TRUE(judge(run).open.empty());
@@ -128,7 +128,7 @@ TEST_F(JudgedPaths, ComeToTheSameInAnyOrder) {
   std::vector<std::uint64_t> order(6);
   std::iota(order.begin(), order.end(), 0U);
   do {
-    run.ledger = {};
+    run.table = {};
     for (const std::uint64_t path : order) {
       if (path == 0) simple(0, 2);
       if (path == 1) simple(1, 3);
@@ -157,11 +157,11 @@ TEST_F(JudgedPaths, AreNotSettledByTakingAGroundAway) {
   cycle(3, 1, 2);
   for (std::uint64_t path = 0; path < 4; ++path) {
     moivre::Run less(setting);
-    for (const auto& [other, root] : run.ledger.roots()) {
+    for (const auto& [other, root] : run.table.roots()) {
       if (other == path) {
-        less.ledger.enter_failure({other, Failure::precision, 1});
+        less.table.enter_failure({other, Failure::precision, 1});
       } else {
-        less.ledger.enter_root(other, Root(root));
+        less.table.enter_root(other, Root(root));
       }
     }
     EXPECT_FALSE(judge(less).open.empty()) << path;

@@ -14,22 +14,22 @@ using test::problem;
 using test::system_of;
 using test::with_seed;
 
-/// Changes arrivals at t = 1: (departure, arrival).
-using Tampering = std::function<void(const Departure&, Arrival&)>;
+/// Changes results at t = 1: (segment, reached).
+using Tampering = std::function<void(const PathSegment&, SegmentResult&)>;
 
 /// Stands between a session and its source, and tampers with what arrives.
-class TamperedSource : public DepartureSource {
+class TamperedSource : public SegmentSource {
  public:
-  TamperedSource(DepartureSource& source, const Tampering& tamper)
+  TamperedSource(SegmentSource& source, const Tampering& tamper)
       : source_(source), tamper_(tamper) {}
-  std::optional<Departure> next() override { return source_.next(); }
-  void arrived(const Departure& departure, Arrival&& arrival) override {
-    tamper_(departure, arrival);
-    source_.arrived(departure, std::move(arrival));
+  std::optional<PathSegment> next() override { return source_.next(); }
+  void arrived(const PathSegment& segment, SegmentResult&& reached) override {
+    tamper_(segment, reached);
+    source_.arrived(segment, std::move(reached));
   }
 
  private:
-  DepartureSource& source_;
+  SegmentSource& source_;
   const Tampering& tamper_;
 };
 
@@ -37,7 +37,7 @@ class TamperedSession : public TrackerSession {
  public:
   TamperedSession(std::unique_ptr<TrackerSession> inner, const Tampering& tamper)
       : inner_(std::move(inner)), tamper_(tamper) {}
-  void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+  void run(SegmentSource& source, const std::atomic<bool>& stop) noexcept override {
     TamperedSource tampered(source, tamper_);
     inner_->run(tampered, stop);
   }
@@ -62,9 +62,9 @@ class TamperedTracker : public Tracker {
   Tampering tamper_;
 };
 
-/// The journey from t = 0 to t = 1, not a circle nor the way back.
-bool is_whole_way(const Departure& departure) {
-  return departure.contour.at(0).t == 0.0 && departure.contour.at(1).t == 1.0;
+/// The segment from t = 0 to t = 1, not a circle nor the way back.
+bool is_whole_way(const PathSegment& segment) {
+  return segment.contour.at(0).t == 0.0 && segment.contour.at(1).t == 1.0;
 }
 
 constexpr std::uint64_t kVictim = 5;
@@ -73,14 +73,14 @@ constexpr int kEveryCare = 100;
 /// Path kVictim arrives where the first path that arrived did, at cares up to `greatest_care`.
 TamperedTracker with_a_jump(int greatest_care) {
   auto first_end = std::make_shared<Point>();
-  return TamperedTracker([=](const Departure& departure, Arrival& arrival) {
-    if (!is_whole_way(departure)) return;
-    if (departure.path == kVictim) {
-      if (departure.care > greatest_care) return;
-      arrival.journey = Journey::arrived;
-      arrival.x = *first_end;
-    } else if (first_end->empty() && arrival.journey == Journey::arrived) {
-      *first_end = arrival.x;
+  return TamperedTracker([=](const PathSegment& segment, SegmentResult& reached) {
+    if (!is_whole_way(segment)) return;
+    if (segment.path == kVictim) {
+      if (segment.tolerance_level > greatest_care) return;
+      reached.status = SegmentStatus::arrived;
+      reached.x = *first_end;
+    } else if (first_end->empty() && reached.status == SegmentStatus::arrived) {
+      *first_end = reached.x;
     }
   });
 }
@@ -137,16 +137,16 @@ TEST(Jump, OfTwoPathsThatChangeEndsChangesNoRoot) {
   auto ends = std::make_shared<std::map<std::uint64_t, Point>>();
   // Each of the two takes the end that an honest run would give the other.
   {
-    const TamperedTracker recorder([=](const Departure& departure, Arrival& arrival) {
-      if (is_whole_way(departure)) (*ends)[departure.path] = arrival.x;
+    const TamperedTracker recorder([=](const PathSegment& segment, SegmentResult& reached) {
+      if (is_whole_way(segment)) (*ends)[segment.path] = reached.x;
     });
     solve(f, recorder, with_seed(1));
   }
   constexpr std::uint64_t kOther = 2;
-  const TamperedTracker swapped([=](const Departure& departure, Arrival& arrival) {
-    if (!is_whole_way(departure)) return;
-    if (departure.path == kOther) arrival.x = ends->at(kVictim);
-    if (departure.path == kVictim) arrival.x = ends->at(kOther);
+  const TamperedTracker swapped([=](const PathSegment& segment, SegmentResult& reached) {
+    if (!is_whole_way(segment)) return;
+    if (segment.path == kOther) reached.x = ends->at(kVictim);
+    if (segment.path == kVictim) reached.x = ends->at(kOther);
   });
   const SolveResult result = solve(f, swapped, with_seed(1));
   expect_conservation(result);
@@ -159,9 +159,9 @@ TEST(Jump, OfTwoPathsThatChangeEndsChangesNoRoot) {
 
 TEST(LostPath, IsTrackedAgainAtTheNextCare) {
   const auto& p = problem("katsura-5");
-  const TamperedTracker tracker([](const Departure& departure, Arrival& arrival) {
-    if (departure.path % 3 != 0 || departure.care > 0 || !is_whole_way(departure)) return;
-    arrival.journey = Journey::step_too_small;
+  const TamperedTracker tracker([](const PathSegment& segment, SegmentResult& reached) {
+    if (segment.path % 3 != 0 || segment.tolerance_level > 0 || !is_whole_way(segment)) return;
+    reached.status = SegmentStatus::step_too_small;
   });
   const SolveResult result = solve(system_of(p), tracker, with_seed(1));
   expect_conservation(result);
@@ -193,15 +193,16 @@ std::uint64_t path_to_a_root_that_is_not_real(const System& f, std::uint64_t see
 /// Path `victim` arrives at the end at infinity, at cares up to `greatest_care`: no failure shows,
 /// no root is doubled.
 TamperedTracker with_a_path_to_infinity(std::uint64_t victim, int greatest_care) {
-  return TamperedTracker([=](const Departure& departure, Arrival& arrival) {
-    if (departure.path != victim || departure.care > greatest_care || !is_whole_way(departure)) {
+  return TamperedTracker([=](const PathSegment& segment, SegmentResult& reached) {
+    if (segment.path != victim || segment.tolerance_level > greatest_care ||
+        !is_whole_way(segment)) {
       return;
     }
-    arrival.x = {0, 1, 0};
+    reached.x = {0, 1, 0};
   });
 }
 
-TEST(ArrivalAtInfinity, IsNotBelievedWhereNoFaceConfirmsIt) {
+TEST(EndAtInfinity, IsNotBelievedWhereNoFaceConfirmsIt) {
   const System f = test::read(kPairAndInfinity);
   for (const int greatest_care : {0, kEveryCare}) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -232,29 +233,29 @@ class MisledTracker : public Tracker {
   }
 
  private:
-  class Session : public TrackerSession, public DepartureSource {
+  class Session : public TrackerSession, public SegmentSource {
    public:
     Session(const MisledTracker& tracker, std::unique_ptr<TrackerSession> inner)
         : tracker_(tracker), inner_(std::move(inner)) {}
-    void run(DepartureSource& source, const std::atomic<bool>& stop) noexcept override {
+    void run(SegmentSource& source, const std::atomic<bool>& stop) noexcept override {
       source_ = &source;
       inner_->run(*this, stop);
     }
-    std::optional<Departure> next() override {
-      std::optional<Departure> departure = source_->next();
-      if (departure && departure->path == tracker_.victim_ &&
-          departure->care <= tracker_.greatest_care_ && is_whole_way(*departure))
-        departure->x = tracker_.start_;
-      return departure;
+    std::optional<PathSegment> next() override {
+      std::optional<PathSegment> segment = source_->next();
+      if (segment && segment->path == tracker_.victim_ &&
+          segment->tolerance_level <= tracker_.greatest_care_ && is_whole_way(*segment))
+        segment->x = tracker_.start_;
+      return segment;
     }
-    void arrived(const Departure& departure, Arrival&& arrival) override {
-      source_->arrived(departure, std::move(arrival));
+    void arrived(const PathSegment& segment, SegmentResult&& reached) override {
+      source_->arrived(segment, std::move(reached));
     }
 
    private:
     const MisledTracker& tracker_;
     std::unique_ptr<TrackerSession> inner_;
-    DepartureSource* source_ = nullptr;
+    SegmentSource* source_ = nullptr;
   };
 
   std::unique_ptr<Tracker> inner_ = make_cvode_tracker();
@@ -276,8 +277,8 @@ TEST(Jump, OntoAPathToInfinityOrToACurveIsSeen) {
     ASSERT_TRUE(honest.complete);
     ASSERT_EQ(honest.solutions.size(), 3U);
     std::map<std::uint64_t, Point> starts;
-    const TamperedTracker recorder([&](const Departure& departure, Arrival&) {
-      if (is_whole_way(departure)) starts[departure.path] = departure.x;
+    const TamperedTracker recorder([&](const PathSegment& segment, SegmentResult&) {
+      if (is_whole_way(segment)) starts[segment.path] = segment.x;
     });
     solve(f, recorder, from_the_degrees(seed));
     std::size_t misled = 0;

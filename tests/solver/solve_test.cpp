@@ -284,7 +284,7 @@ TEST(Solve, NamesTheUnknownsWhereThereAreMoreThanEquations) {
 TEST(Solve, NamesEveryOptionThatIsOutOfRange) {
   SolveOptions options;
   options.threads = -1;
-  options.maximum_care = -1;
+  options.maximum_tolerance_level = -1;
   options.endgame.ends.samples = 5;
   options.endgame.ends.maximum_winding = 0;
   EXPECT_EQ(validate(options).size(), 4U);
@@ -383,7 +383,7 @@ TEST(Solve, DropsARootAtWhichASpareEquationIsOffByLessThanDoubleSees) {
 TEST(Solve, FailsForPrecisionWhereCirclesMayNotClose) {
   SolveOptions options = with_seed(1);
   options.endgame.ends.maximum_winding = 1;
-  options.maximum_care = 0;
+  options.maximum_tolerance_level = 0;
   // With more digits the quotient ring tells all roots, and no circle is needed.
   options.precision = Precision::double_precision;
   const SolveResult result = solve_with_cvode(read("1\n (x^2 - 2)^2*(x - i);\n"), options);

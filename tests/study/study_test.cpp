@@ -27,9 +27,9 @@ StudySetting setting(CvodeMethod method, double rtol) {
 
 StudyResult study(const System& f, const std::vector<StudySetting>& settings,
                   const StudyOptions& options) {
-  const auto referee = make_cvode_tracker({.rtol = 1e-5});
+  const auto reference_tracker = make_cvode_tracker({.rtol = 1e-5});
   const auto witness = make_cvode_tracker({.rtol = 1e-4});
-  return study_system(f, settings, *referee, witness.get(), options);
+  return study_system(f, settings, *reference_tracker, witness.get(), options);
 }
 
 const StudyOptions kOneSeed{.seeds = 1};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Do journeys with CVODE stay on a path known in closed form, and does each way of ending one
+// Do segments with CVODE stay on a path known in closed form, and does each way of ending one
 // occur?
 #include "moivre/tracker_cvode/cvode_tracker.h"
 
@@ -14,8 +14,8 @@
 namespace moivre {
 namespace {
 
-// Arrivals are corrected to 1e-9 and less (tracker/path_system.h).
-constexpr double kArrivalAccuracy = 1e-8;
+// Ends are corrected to 1e-9 and less (tracker/path_system.h).
+constexpr double kEndAccuracy = 1e-8;
 const Complex kTarget(3, 4);
 
 System equation(const std::string& text) { return read_system({"test", "1\n" + text + ";\n"}); }
@@ -26,8 +26,8 @@ struct Scene {
       : homotopy(equation(target), equation("x^2 - 1")),
         session(make_cvode_tracker(options)->open(homotopy)) {}
 
-  static Departure departure() { return {0, Contour::segment(0, 1), {1.0, 1.0}, 0, 0, nullptr}; }
-  Arrival go(const Departure& departure) { return follow(*session, departure, stop); }
+  static PathSegment segment() { return {0, Contour::segment(0, 1), {1.0, 1.0}, 0, 0, nullptr}; }
+  SegmentResult go(const PathSegment& segment) { return follow(*session, segment, stop); }
 
   Homotopy homotopy;
   std::unique_ptr<TrackerSession> session;
@@ -63,19 +63,20 @@ TEST(CvodeTracker, FollowsASquareRootWithEveryMethod) {
     for (const CvodeIteration iteration : {CvodeIteration::fixed_point, CvodeIteration::newton}) {
       SCOPED_TRACE(to_string(method) + " " + to_string(iteration));
       Scene scene("x^2 - 3 - 4*i", {.method = method, .iteration = iteration, .rtol = 1e-4});
-      const Arrival arrival = scene.go(Scene::departure());
-      EXPECT_EQ(arrival.journey, Journey::arrived);
-      EXPECT_EQ(arrival.s, 1);
-      EXPECT_EQ(arrival.t.rest, 0.0);
-      EXPECT_LT(std::abs(affine(arrival.x) - Complex(2, 1)), kArrivalAccuracy);
+      const SegmentResult reached = scene.go(Scene::segment());
+      EXPECT_EQ(reached.status, SegmentStatus::arrived);
+      EXPECT_EQ(reached.s, 1);
+      EXPECT_EQ(reached.t.rest, 0.0);
+      EXPECT_LT(std::abs(affine(reached.x) - Complex(2, 1)), kEndAccuracy);
     }
   }
 }
 
 TEST(CvodeTracker, NewtonsIterationPaysItsJacobianInRightHandSides) {
-  const Arrival substituted = Scene("x^2 - 3 - 4*i", {.rtol = 1e-6}).go(Scene::departure());
-  const Arrival solved = Scene("x^2 - 3 - 4*i", {.iteration = CvodeIteration::newton, .rtol = 1e-6})
-                             .go(Scene::departure());
+  const SegmentResult substituted = Scene("x^2 - 3 - 4*i", {.rtol = 1e-6}).go(Scene::segment());
+  const SegmentResult solved =
+      Scene("x^2 - 3 - 4*i", {.iteration = CvodeIteration::newton, .rtol = 1e-6})
+          .go(Scene::segment());
   const double per_step[]{static_cast<double>(substituted.count.work.linearizations) /
                               static_cast<double>(substituted.count.accepted),
                           static_cast<double>(solved.count.work.linearizations) /
@@ -89,95 +90,96 @@ TEST(CvodeTracker, ProjectionTakesAwayTheDriftOfTheIntegrator) {
   for (std::size_t k = 0; k < 2; ++k) {
     Scene scene("x^2 - 3 - 4*i", {.method = methods[k]});
     Watching watcher;
-    Departure departure = Scene::departure();
-    departure.watcher = &watcher;
-    scene.go(departure);
+    PathSegment segment = Scene::segment();
+    segment.watcher = &watcher;
+    scene.go(segment);
     drift[k] = watcher.drift;
   }
   EXPECT_GT(drift[0], 1e-4);
-  EXPECT_LT(drift[1], kArrivalAccuracy);
+  EXPECT_LT(drift[1], kEndAccuracy);
 }
 
 TEST(CvodeTracker, MoreCareTakesMoreSteps) {
   for (const CvodeMethod method : {CvodeMethod::bdf_projection, CvodeMethod::bdf}) {
     Scene scene("x^2 - 3 - 4*i", {.method = method});
-    Departure careful = Scene::departure();
-    careful.care = 2;
-    EXPECT_GT(scene.go(careful).count.accepted, scene.go(Scene::departure()).count.accepted);
+    PathSegment careful = Scene::segment();
+    careful.tolerance_level = 2;
+    EXPECT_GT(scene.go(careful).count.accepted, scene.go(Scene::segment()).count.accepted);
   }
 }
 
 TEST(CvodeTracker, MoreCareTrustsOnlySmallCorrections) {
   Scene scene("x^2 - 3 - 4*i", {.rtol = 0.5});
   double largest[3];
-  for (int care = 0; care < 3; ++care) {
+  for (int tolerance_level = 0; tolerance_level < 3; ++tolerance_level) {
     Watching watcher;
-    Departure departure = Scene::departure();
-    departure.care = care;
-    departure.watcher = &watcher;
-    EXPECT_EQ(scene.go(departure).journey, Journey::arrived);
-    largest[care] = watcher.correction;
-    EXPECT_LE(watcher.correction, CorrectorOptions{}.largest_correction * std::pow(0.1, care));
+    PathSegment segment = Scene::segment();
+    segment.tolerance_level = tolerance_level;
+    segment.watcher = &watcher;
+    EXPECT_EQ(scene.go(segment).status, SegmentStatus::arrived);
+    largest[tolerance_level] = watcher.correction;
+    EXPECT_LE(watcher.correction,
+              CorrectorOptions{}.largest_correction * std::pow(0.1, tolerance_level));
   }
   EXPECT_GT(largest[0], 0.01);
 }
 
 TEST(CvodeTracker, SamplesLieOnThePathAtEquidistantParameters) {
   Scene scene;
-  Departure departure = Scene::departure();
-  departure.samples = 7;
-  const Arrival arrival = scene.go(departure);
-  ASSERT_EQ(arrival.samples.size(), 7u);
+  PathSegment segment = Scene::segment();
+  segment.samples = 7;
+  const SegmentResult reached = scene.go(segment);
+  ASSERT_EQ(reached.samples.size(), 7u);
   for (std::size_t k = 0; k < 7; ++k) {
     const double t = static_cast<double>(k + 1) / 7;
-    EXPECT_LT(std::abs(affine(arrival.samples[k]) - root_at(t)), 1e-13) << k;
+    EXPECT_LT(std::abs(affine(reached.samples[k]) - root_at(t)), 1e-13) << k;
   }
 }
 
-TEST(CvodeTracker, AWatcherSeesEveryStepAndMayStopTheJourney) {
+TEST(CvodeTracker, AWatcherSeesEveryStepAndMayStopTheSegment) {
   Scene scene;
   Watching watcher(0.5);
-  Departure departure = Scene::departure();
-  departure.watcher = &watcher;
-  const Arrival arrival = scene.go(departure);
-  EXPECT_EQ(arrival.journey, Journey::stopped);
-  EXPECT_EQ(watcher.s.size(), arrival.count.accepted);
-  EXPECT_EQ(watcher.s.back(), arrival.s);
-  EXPECT_GE(arrival.s, 0.5);
-  EXPECT_LT(arrival.s, 1);
+  PathSegment segment = Scene::segment();
+  segment.watcher = &watcher;
+  const SegmentResult reached = scene.go(segment);
+  EXPECT_EQ(reached.status, SegmentStatus::stopped);
+  EXPECT_EQ(watcher.s.size(), reached.count.accepted);
+  EXPECT_EQ(watcher.s.back(), reached.s);
+  EXPECT_GE(reached.s, 0.5);
+  EXPECT_LT(reached.s, 1);
   EXPECT_TRUE(std::is_sorted(watcher.s.begin(), watcher.s.end()));
 }
 
 TEST(CvodeTracker, APointFarFromThePathIsABadStart) {
   Scene scene;
-  Departure departure = Scene::departure();
-  departure.x[0] = 2.0;
-  EXPECT_EQ(scene.go(departure).journey, Journey::bad_start);
-  departure.x[0] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(scene.go(departure).journey, Journey::bad_start);
+  PathSegment segment = Scene::segment();
+  segment.x[0] = 2.0;
+  EXPECT_EQ(scene.go(segment).status, SegmentStatus::bad_start);
+  segment.x[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(scene.go(segment).status, SegmentStatus::bad_start);
 }
 
-TEST(CvodeTracker, ABudgetOfStepsEndsTheJourney) {
+TEST(CvodeTracker, ABudgetOfStepsEndsTheSegment) {
   Scene scene("x^2 - 3 - 4*i", {.maximum_steps = 3});
-  const Arrival arrival = scene.go(Scene::departure());
-  EXPECT_EQ(arrival.journey, Journey::step_limit);
-  EXPECT_EQ(arrival.count.accepted, 3u);
+  const SegmentResult reached = scene.go(Scene::segment());
+  EXPECT_EQ(reached.status, SegmentStatus::step_limit);
+  EXPECT_EQ(reached.count.accepted, 3u);
 }
 
 TEST(CvodeTracker, APathIntoASingularityStopsBeforeIt) {
   // At t = 1/2 the two roots of t (x^2 + 1) + (1 - t) (x^2 - 1) meet at 0: no path goes on.
   Scene scene("x^2 + 1");
-  const Arrival arrival = scene.go(Scene::departure());
-  EXPECT_EQ(arrival.journey, Journey::step_too_small);
-  EXPECT_NEAR(arrival.s, 0.5, 1e-6);
+  const SegmentResult reached = scene.go(Scene::segment());
+  EXPECT_EQ(reached.status, SegmentStatus::step_too_small);
+  EXPECT_NEAR(reached.s, 0.5, 1e-6);
 }
 
 TEST(CvodeTracker, StepsThatNewtonRefusesCountAsRejected) {
   // So near the singularity at t = 1/2 the loose predictions are off, and CVODE's own error test
   // lets them pass.
-  const Arrival arrival = Scene("x^2 + 1 - i/100", {.rtol = 0.3}).go(Scene::departure());
-  EXPECT_EQ(arrival.journey, Journey::arrived);
-  EXPECT_GE(arrival.count.rejected, 5u);
+  const SegmentResult reached = Scene("x^2 + 1 - i/100", {.rtol = 0.3}).go(Scene::segment());
+  EXPECT_EQ(reached.status, SegmentStatus::arrived);
+  EXPECT_GE(reached.count.rejected, 5u);
 }
 
 TEST(CvodeTracker, ACoordinateThatIsAllRoundingDoesNotSizeTheSteps) {
@@ -186,29 +188,29 @@ TEST(CvodeTracker, ACoordinateThatIsAllRoundingDoesNotSizeTheSteps) {
                           read_system({"g", "2\nx^2 - 1;\nx*y + x^2 - 1;\n"}));
   const auto session = make_cvode_tracker()->open(homotopy);
   const std::atomic<bool> stop{false};
-  const Arrival arrival =
+  const SegmentResult reached =
       follow(*session, {0, Contour::segment(0, 1), {1.0, 0.0, 1.0}, 0, 0, nullptr}, stop);
-  EXPECT_EQ(arrival.journey, Journey::arrived);
-  EXPECT_LE(arrival.count.accepted, 2 * Scene().go(Scene::departure()).count.accepted);
+  EXPECT_EQ(reached.status, SegmentStatus::arrived);
+  EXPECT_LE(reached.count.accepted, 2 * Scene().go(Scene::segment()).count.accepted);
 }
 
-TEST(CvodeTracker, ASetStopCancelsTheJourney) {
+TEST(CvodeTracker, ASetStopCancelsTheSegment) {
   Scene scene;
   scene.stop = true;
-  EXPECT_EQ(scene.go(Scene::departure()).journey, Journey::cancelled);
+  EXPECT_EQ(scene.go(Scene::segment()).status, SegmentStatus::cancelled);
 }
 
-TEST(CvodeTracker, OtherJourneysInBetweenChangeNoBit) {
+TEST(CvodeTracker, OtherSegmentsInBetweenChangeNoBit) {
   Scene scene;
-  const Arrival first = scene.go(Scene::departure());
-  Departure other = Scene::departure();
+  const SegmentResult first = scene.go(Scene::segment());
+  PathSegment other = Scene::segment();
   other.x[0] = -1.0;
-  other.care = 1;
+  other.tolerance_level = 1;
   other.samples = 5;
   scene.go(other);
   other.x[0] = 9.0;
   scene.go(other);
-  const Arrival again = scene.go(Scene::departure());
+  const SegmentResult again = scene.go(Scene::segment());
   EXPECT_EQ(again.x, first.x);
   EXPECT_EQ(again.count.accepted, first.count.accepted);
   EXPECT_EQ(again.count.work.linearizations, first.count.work.linearizations);

@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-#include "../tracker/journeys.h"
+#include "../tracker/segments.h"
 #include "every_target.h"
 #include "moivre/start/total_degree.h"
 #include "moivre/tracker/double_double_tracker.h"
@@ -17,10 +17,10 @@ namespace {
 using test::affine;
 using test::from;
 using test::from_square_roots_of_one;
-using test::Journeys;
+using test::SegmentList;
 
 // Of an end, rounded to double.
-constexpr double kArrivalAccuracy = 1e-15;
+constexpr double kEndAccuracy = 1e-15;
 
 const std::atomic<bool> kGoOn{false};
 
@@ -28,9 +28,9 @@ std::unique_ptr<Tracker> fine_lanes(const LaneOptions& options = {}) {
   return make_lane_tracker(options)->in_double_double();
 }
 
-Arrival follow_from(const Homotopy& homotopy, const Departure& departure,
-                    const LaneOptions& options = {}) {
-  return follow(*fine_lanes(options)->open(homotopy), departure, kGoOn);
+SegmentResult follow_from(const Homotopy& homotopy, const PathSegment& segment,
+                          const LaneOptions& options = {}) {
+  return follow(*fine_lanes(options)->open(homotopy), segment, kGoOn);
 }
 
 TEST(FineLanes, SayWhatTheyAre) {
@@ -46,22 +46,22 @@ TEST(FineLanes, SayWhatTheyAre) {
 TEST(FineLanes, ArriveAtARegularEnd) {
   test::on_every_target([] {
     const Homotopy homotopy = from_square_roots_of_one("x^2 - 3 - 4*i");
-    const Arrival arrival = follow_from(homotopy, from({1, 1}));
-    EXPECT_EQ(arrival.journey, Journey::arrived);
-    EXPECT_LT(std::abs(affine(arrival.x) - Complex(2, 1)), kArrivalAccuracy);
-    ASSERT_TRUE(arrival.regular_condition);
-    EXPECT_LT(*arrival.regular_condition, 100);
+    const SegmentResult reached = follow_from(homotopy, from({1, 1}));
+    EXPECT_EQ(reached.status, SegmentStatus::arrived);
+    EXPECT_LT(std::abs(affine(reached.x) - Complex(2, 1)), kEndAccuracy);
+    ASSERT_TRUE(reached.regular_condition);
+    EXPECT_LT(*reached.regular_condition, 100);
   });
 }
 
 TEST(FineLanes, DoNotArriveAtADoubleRoot) {
   test::on_every_target([] {
     const Homotopy homotopy = from_square_roots_of_one("x^2 - 2*i*x - 1");  // (x - i)^2
-    const Arrival arrival = follow_from(homotopy, from({1, 1}));
-    EXPECT_EQ(arrival.journey, Journey::step_too_small);
-    EXPECT_FALSE(arrival.regular_condition);
-    EXPECT_LT(std::abs(arrival.t.rest), 1e-20);
-    EXPECT_LT(std::abs(affine(arrival.x) - Complex(0, 1)), 1e-9);
+    const SegmentResult reached = follow_from(homotopy, from({1, 1}));
+    EXPECT_EQ(reached.status, SegmentStatus::step_too_small);
+    EXPECT_FALSE(reached.regular_condition);
+    EXPECT_LT(std::abs(reached.t.rest), 1e-20);
+    EXPECT_LT(std::abs(affine(reached.x) - Complex(0, 1)), 1e-9);
   });
 }
 
@@ -71,27 +71,28 @@ TEST(FineLanes, TellRootsApartThatAreNearerThanDoubleCanTell) {
     const Homotopy homotopy = from_square_roots_of_one("x^2 - (2*i + 1e-12)*x - 1 + 1e-12*i");
     std::vector<Complex> ends;
     for (const double start : {1.0, -1.0}) {
-      const Arrival arrival = follow_from(homotopy, from({start, 1}));
-      ASSERT_EQ(arrival.journey, Journey::arrived);
-      ends.push_back(affine(arrival.x) - Complex(0, 1));
+      const SegmentResult reached = follow_from(homotopy, from({start, 1}));
+      ASSERT_EQ(reached.status, SegmentStatus::arrived);
+      ends.push_back(affine(reached.x) - Complex(0, 1));
     }
     const auto by_real = [](Complex a, Complex b) { return a.real() < b.real(); };
     std::sort(ends.begin(), ends.end(), by_real);
-    EXPECT_LT(std::abs(ends[0]), kArrivalAccuracy);
-    EXPECT_LT(std::abs(ends[1] - 1e-12), kArrivalAccuracy);
+    EXPECT_LT(std::abs(ends[0]), kEndAccuracy);
+    EXPECT_LT(std::abs(ends[1] - 1e-12), kEndAccuracy);
   });
 }
 
 TEST(FineLanes, WalkRoundABranchPointInTwoTurns) {
   const Homotopy homotopy = from_square_roots_of_one("x^2 - 2*i*x - 1");
   const double radius = 0.01;
-  const Arrival approach = follow_from(homotopy, from({1, 1}, Contour::segment(0, 1 - radius)));
-  ASSERT_EQ(approach.journey, Journey::arrived);
+  const SegmentResult approach =
+      follow_from(homotopy, from({1, 1}, Contour::segment(0, 1 - radius)));
+  ASSERT_EQ(approach.status, SegmentStatus::arrived);
   EXPECT_FALSE(approach.regular_condition);
-  Departure turn = from(approach.x, Contour::spiral(radius, Complex(0, 2 * std::numbers::pi)));
+  PathSegment turn = from(approach.x, Contour::spiral(radius, Complex(0, 2 * std::numbers::pi)));
   turn.samples = 8;
-  const Arrival once = follow_from(homotopy, turn);
-  ASSERT_EQ(once.journey, Journey::arrived);
+  const SegmentResult once = follow_from(homotopy, turn);
+  ASSERT_EQ(once.status, SegmentStatus::arrived);
   ASSERT_EQ(once.samples.size(), 8U);
   EXPECT_EQ(once.samples.back(), once.x);
   EXPECT_GT(std::abs(affine(once.x) - affine(approach.x)), 0.1);
@@ -102,18 +103,20 @@ TEST(FineLanes, WalkRoundABranchPointInTwoTurns) {
 
 TEST(FineLanes, FindTheWayBack) {
   const Homotopy homotopy = from_square_roots_of_one("x^2 - 3 - 4*i");
-  const Arrival back = follow_from(homotopy, from({Complex(2, 1), 1}, Contour::segment(1, 0)));
-  EXPECT_EQ(back.journey, Journey::arrived);
+  const SegmentResult back =
+      follow_from(homotopy, from({Complex(2, 1), 1}, Contour::segment(1, 0)));
+  EXPECT_EQ(back.status, SegmentStatus::arrived);
   EXPECT_LT(std::abs(affine(back.x) - 1.0), 1e-9);
 }
 
 TEST(FineLanes, SayWhyTheyStop) {
   const Homotopy homotopy = from_square_roots_of_one("x^2 - 3 - 4*i");
-  EXPECT_EQ(follow_from(homotopy, from({2, 1})).journey, Journey::bad_start);
-  EXPECT_EQ(follow_from(homotopy, from({1, 1}), {.maximum_steps = 5}).journey, Journey::step_limit);
+  EXPECT_EQ(follow_from(homotopy, from({2, 1})).status, SegmentStatus::bad_start);
+  EXPECT_EQ(follow_from(homotopy, from({1, 1}), {.maximum_steps = 5}).status,
+            SegmentStatus::step_limit);
   const std::atomic<bool> stop{true};
   const auto session = fine_lanes()->open(homotopy);
-  EXPECT_EQ(follow(*session, from({1, 1}), stop).journey, Journey::cancelled);
+  EXPECT_EQ(follow(*session, from({1, 1}), stop).status, SegmentStatus::cancelled);
 }
 
 TEST(FineLanes, FollowManyPathsToTheEndsThatEachHasAlone) {
@@ -121,27 +124,27 @@ TEST(FineLanes, FollowManyPathsToTheEndsThatEachHasAlone) {
   const System f = read_system({"test", "2\nx^3 + 2*x*y - y^2 - 3; y^3 - x^2*y + 4*x - 1;\n"});
   const TotalDegreeStart start = total_degree_start(degrees(f), 1);
   const Homotopy homotopy(f, start_system(start, f.variables));
-  const auto departure = [&](std::uint64_t path) {
-    Departure result = from(start_point(start, path));
+  const auto segment = [&](std::uint64_t path) {
+    PathSegment result = from(start_point(start, path));
     result.path = path;
     return result;
   };
-  std::vector<Departure> departures;
-  for (std::uint64_t path = 0; path < start.paths; ++path) departures.push_back(departure(path));
+  std::vector<PathSegment> segments;
+  for (std::uint64_t path = 0; path < start.paths; ++path) segments.push_back(segment(path));
   test::on_every_target([&] {
-    Journeys together(departures);
+    SegmentList together(segments);
     fine_lanes()->open(homotopy)->run(together, kGoOn);
-    ASSERT_EQ(together.arrivals.size(), start.paths);
-    for (const auto& [path, arrival] : together.arrivals) {
-      ASSERT_EQ(arrival.journey, Journey::arrived);
-      const Arrival lonely = follow_from(homotopy, departure(path));
-      EXPECT_EQ(lonely.x, arrival.x) << path;
-      EXPECT_EQ(lonely.count.accepted, arrival.count.accepted) << path;
-      const Arrival witness =
-          follow(*make_double_double_tracker()->open(homotopy), departure(path), kGoOn);
+    ASSERT_EQ(together.results.size(), start.paths);
+    for (const auto& [path, reached] : together.results) {
+      ASSERT_EQ(reached.status, SegmentStatus::arrived);
+      const SegmentResult lonely = follow_from(homotopy, segment(path));
+      EXPECT_EQ(lonely.x, reached.x) << path;
+      EXPECT_EQ(lonely.count.accepted, reached.count.accepted) << path;
+      const SegmentResult witness =
+          follow(*make_double_double_tracker()->open(homotopy), segment(path), kGoOn);
       for (std::size_t i = 0; i < 2; ++i) {
-        EXPECT_LT(std::abs(arrival.x[i] / arrival.x[2] - witness.x[i] / witness.x[2]),
-                  2 * kArrivalAccuracy)
+        EXPECT_LT(std::abs(reached.x[i] / reached.x[2] - witness.x[i] / witness.x[2]),
+                  2 * kEndAccuracy)
             << path;
       }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Does a step of the lanes allocate? This program counts every call of operator new; longer
-// journeys must not add any.
+// segments must not add any.
 #include <gtest/gtest.h>
 
 #include <atomic>
@@ -29,17 +29,17 @@ void* operator new(std::size_t size) {
 namespace moivre {
 namespace {
 
-/// The paths of a system, all of them once; counts the steps of their journeys.
-class AllPaths : public DepartureSource {
+/// The paths of a system, all of them once; counts the steps of their segments.
+class AllPaths : public SegmentSource {
  public:
   explicit AllPaths(const TotalDegreeStart& start) : start_(start) {}
-  std::optional<Departure> next() override {
+  std::optional<PathSegment> next() override {
     if (next_ == start_.paths) return std::nullopt;
     const std::uint64_t path = next_++;
-    return Departure{path, Contour::segment(0, 1), start_point(start_, path), 0, 0, nullptr};
+    return PathSegment{path, Contour::segment(0, 1), start_point(start_, path), 0, 0, nullptr};
   }
-  void arrived(const Departure&, Arrival&& arrival) override {
-    steps += arrival.count.accepted + arrival.count.rejected;
+  void arrived(const PathSegment&, SegmentResult&& reached) override {
+    steps += reached.count.accepted + reached.count.rejected;
   }
 
   std::uint64_t steps = 0;

@@ -264,20 +264,20 @@ TEST(EveryTarget, FindsThePointOfAPathThatOneAloneFindsToTwentyEightDigits) {
     std::vector<Numbers> near;
     std::vector<Numbers> settled;
     for (std::uint64_t path = 0; path < start.paths; ++path) {
-      Departure departure;
-      departure.contour = Contour::segment(0, t);
-      departure.x = start_point(start, path);
-      const Arrival arrival = follow(*make_double_double_tracker()->open(homotopy), departure,
-                                     std::atomic<bool>{false});
-      ASSERT_EQ(arrival.journey, Journey::arrived);
+      PathSegment segment;
+      segment.contour = Contour::segment(0, t);
+      segment.x = start_point(start, path);
+      const SegmentResult reached =
+          follow(*make_double_double_tracker()->open(homotopy), segment, std::atomic<bool>{false});
+      ASSERT_EQ(reached.status, SegmentStatus::arrived);
       Numbers x;
-      const double norm = euclidean_norm(arrival.x);
-      for (const Complex& xi : arrival.x) x.push_back(ComplexDoubleDouble(xi / norm * (1 + 1e-10)));
+      const double norm = euclidean_norm(reached.x);
+      for (const Complex& xi : reached.x) x.push_back(ComplexDoubleDouble(xi / norm * (1 + 1e-10)));
       x.front() += ComplexDoubleDouble(1e-9);
       near.push_back(x);
       FinePathSystem<ComplexDoubleDouble> one(homotopy);
       one.set_patch(x);
-      ASSERT_TRUE(one.settle(x, arrival.t, one.at_end()).converged);
+      ASSERT_TRUE(one.settle(x, reached.t, one.at_end()).converged);
       settled.push_back(x);
     }
     test::on_every_target([&] {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Do journeys in lanes arrive where they should, and does a journey depend on its departure alone?
+// Do segments in lanes arrive where they should, and does the end of each depend on the segment
+// alone?
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 #include <gtest/gtest.h>
@@ -9,19 +10,19 @@
 #include <numbers>
 #include <thread>
 
-#include "../tracker/journeys.h"
+#include "../tracker/segments.h"
 #include "every_target.h"
 #include "moivre/start/total_degree.h"
 
 namespace moivre {
 namespace {
 
-using test::Journeys;
+using test::SegmentList;
 using test::Target;
 using test::targets;
 
-// Arrivals are corrected to 1e-9 and less (tracker/path_system.h).
-constexpr double kArrivalAccuracy = 1e-8;
+// Ends are corrected to 1e-9 and less (tracker/path_system.h).
+constexpr double kEndAccuracy = 1e-8;
 
 /// A system, its total-degree homotopy, and a session on it.
 struct Scene {
@@ -32,7 +33,7 @@ struct Scene {
         tracker(make_lane_tracker(options)),
         session(tracker->open(homotopy)) {}
 
-  Departure departure(std::uint64_t path) const {
+  PathSegment segment(std::uint64_t path) const {
     return {path, Contour::segment(0, 1), start_point(start, path), 0, 0, nullptr};
   }
 
@@ -43,19 +44,19 @@ struct Scene {
   std::unique_ptr<TrackerSession> session;
 };
 
-std::map<std::uint64_t, Arrival> run(Scene& scene, std::vector<Departure> departures) {
-  Journeys journeys(std::move(departures));
+std::map<std::uint64_t, SegmentResult> run(Scene& scene, std::vector<PathSegment> segments) {
+  SegmentList list(std::move(segments));
   const std::atomic<bool> stop{false};
-  scene.session->run(journeys, stop);
-  return std::move(journeys.arrivals);
+  scene.session->run(list, stop);
+  return std::move(list.results);
 }
 
-std::vector<Departure> all_departures(const Scene& scene) {
-  std::vector<Departure> departures;
+std::vector<PathSegment> all_segments(const Scene& scene) {
+  std::vector<PathSegment> segments;
   for (std::uint64_t path = 0; path < scene.start.paths; ++path) {
-    departures.push_back(scene.departure(path));
+    segments.push_back(scene.segment(path));
   }
-  return departures;
+  return segments;
 }
 
 // Nine paths: more than any target has lanes.
@@ -63,65 +64,65 @@ const char* const kCubics = "2\nx^3 + 2*x*y - y^2 - 3; y^3 - x^2*y + 4*x - 1;\n"
 
 TEST(LaneTracker, EveryPathOfTwoCubicsArrivesOnTheTarget) {
   Scene scene(kCubics);
-  const auto arrivals = run(scene, all_departures(scene));
-  ASSERT_EQ(arrivals.size(), 9u);
-  for (const auto& [path, arrival] : arrivals) {
-    EXPECT_EQ(arrival.journey, Journey::arrived) << path;
-    EXPECT_EQ(arrival.s, 1);
+  const auto results = run(scene, all_segments(scene));
+  ASSERT_EQ(results.size(), 9u);
+  for (const auto& [path, reached] : results) {
+    EXPECT_EQ(reached.status, SegmentStatus::arrived) << path;
+    EXPECT_EQ(reached.s, 1);
     PathSystem system(scene.homotopy);
-    Point x = arrival.x;
-    EXPECT_LT(system.correct(x, {1, 0}, {}, true).first, kArrivalAccuracy) << path;
+    Point x = reached.x;
+    EXPECT_LT(system.correct(x, {1, 0}, {}, true).first, kEndAccuracy) << path;
   }
 }
 
 // At a point of norm 1 the equation is 3^-400, whose square no double holds.
 TEST(LaneTracker, APathOfHighDegreeArrives) {
   Scene scene("2\nx^800 - 1; y^3 - x - 2;\n");
-  const auto arrivals = run(scene, {scene.departure(0), scene.departure(1), scene.departure(999)});
-  ASSERT_EQ(arrivals.size(), 3u);
-  for (const auto& [path, arrival] : arrivals) {
-    EXPECT_EQ(arrival.journey, Journey::arrived) << path;
+  const auto results = run(scene, {scene.segment(0), scene.segment(1), scene.segment(999)});
+  ASSERT_EQ(results.size(), 3u);
+  for (const auto& [path, reached] : results) {
+    EXPECT_EQ(reached.status, SegmentStatus::arrived) << path;
   }
 }
 
-TEST(LaneTracker, JourneysDependNeitherOnNeighboursNorOnTheLane) {
+TEST(LaneTracker, SegmentsDependNeitherOnNeighboursNorOnTheLane) {
   Scene scene(kCubics);
-  const auto together = run(scene, all_departures(scene));
+  const auto together = run(scene, all_segments(scene));
   for (std::uint64_t path = 0; path < 9; ++path) {
-    const auto alone = run(scene, {scene.departure(path)});
+    const auto alone = run(scene, {scene.segment(path)});
     EXPECT_EQ(alone.at(path).x, together.at(path).x) << path;
     EXPECT_EQ(alone.at(path).count.accepted, together.at(path).count.accepted);
   }
 }
 
-TEST(LaneTracker, AnImpossibleDepartureSpoilsNoOtherLane) {
+TEST(LaneTracker, AnImpossibleSegmentSpoilsNoOtherLane) {
   Scene scene(kCubics);
-  const auto clean = run(scene, all_departures(scene));
-  std::vector<Departure> departures = all_departures(scene);
-  Departure broken = scene.departure(100);
+  const auto clean = run(scene, all_segments(scene));
+  std::vector<PathSegment> segments = all_segments(scene);
+  PathSegment broken = scene.segment(100);
   broken.x[0] = std::numeric_limits<double>::quiet_NaN();
-  Departure far = scene.departure(101);
+  PathSegment far = scene.segment(101);
   far.x[0] += 1.0;
-  departures.insert(departures.begin(), broken);
-  departures.insert(departures.begin() + 3, far);
-  const auto arrivals = run(scene, departures);
-  EXPECT_EQ(arrivals.at(100).journey, Journey::bad_start);
-  EXPECT_EQ(arrivals.at(101).journey, Journey::bad_start);
+  segments.insert(segments.begin(), broken);
+  segments.insert(segments.begin() + 3, far);
+  const auto results = run(scene, segments);
+  EXPECT_EQ(results.at(100).status, SegmentStatus::bad_start);
+  EXPECT_EQ(results.at(101).status, SegmentStatus::bad_start);
   for (std::uint64_t path = 0; path < 9; ++path) {
-    EXPECT_EQ(arrivals.at(path).x, clean.at(path).x) << path;
+    EXPECT_EQ(results.at(path).x, clean.at(path).x) << path;
   }
 }
 
 TEST(LaneTracker, SamplesLieOnThePathAtEquidistantParameters) {
   Scene scene(kCubics);
-  Departure departure = scene.departure(4);
-  departure.samples = 7;
-  const Arrival arrival = run(scene, {departure}).at(4);
-  ASSERT_EQ(arrival.samples.size(), 7u);
+  PathSegment segment = scene.segment(4);
+  segment.samples = 7;
+  const SegmentResult reached = run(scene, {segment}).at(4);
+  ASSERT_EQ(reached.samples.size(), 7u);
   PathSystem system(scene.homotopy);
   for (std::size_t k = 0; k < 7; ++k) {
-    Point x = arrival.samples[k];
-    const PathTime t = departure.contour.at(static_cast<double>(k + 1) / 7);
+    Point x = reached.samples[k];
+    const PathTime t = segment.contour.at(static_cast<double>(k + 1) / 7);
     // Rounding of H over its condition: some tens of 1e-16.
     EXPECT_LT(system.correct(x, t, {}, true).first, 1e-13) << k;
   }
@@ -130,18 +131,18 @@ TEST(LaneTracker, SamplesLieOnThePathAtEquidistantParameters) {
 TEST(LaneTracker, ATurnAboutADoubleRootEndsOnTheOtherSheet) {
   // x^2 + t (1 - x^2) - ... : both roots of (x - 1)^2 meet at t = 1.
   Scene scene("1\n(x - 1)^2;\n");
-  Departure to_circle = scene.departure(0);
+  PathSegment to_circle = scene.segment(0);
   to_circle.contour = Contour::segment(0, 0.99);
-  const Arrival near = run(scene, {to_circle}).at(0);
-  ASSERT_EQ(near.journey, Journey::arrived);
+  const SegmentResult near = run(scene, {to_circle}).at(0);
+  ASSERT_EQ(near.status, SegmentStatus::arrived);
   const Contour turn = Contour::spiral(0.01, Complex(0, 2 * std::numbers::pi));
-  const Arrival once = run(scene, {{0, turn, near.x, 0, 16, nullptr}}).at(0);
-  const Arrival twice = run(scene, {{0, turn, once.x, 0, 16, nullptr}}).at(0);
-  ASSERT_EQ(once.journey, Journey::arrived);
-  ASSERT_EQ(twice.journey, Journey::arrived);
+  const SegmentResult once = run(scene, {{0, turn, near.x, 0, 16, nullptr}}).at(0);
+  const SegmentResult twice = run(scene, {{0, turn, once.x, 0, 16, nullptr}}).at(0);
+  ASSERT_EQ(once.status, SegmentStatus::arrived);
+  ASSERT_EQ(twice.status, SegmentStatus::arrived);
   const auto affine = [](const Point& x) { return x[0] / x[1]; };
   EXPECT_GT(std::abs(affine(once.x) - affine(near.x)), 0.01);
-  EXPECT_LT(std::abs(affine(twice.x) - affine(near.x)), kArrivalAccuracy);
+  EXPECT_LT(std::abs(affine(twice.x) - affine(near.x)), kEndAccuracy);
 }
 
 TEST(LaneTracker, APathIntoASingularityStopsBeforeIt) {
@@ -152,27 +153,27 @@ TEST(LaneTracker, APathIntoASingularityStopsBeforeIt) {
   const auto tracker = make_lane_tracker();
   const auto session = tracker->open(homotopy);
   const std::atomic<bool> stop{false};
-  const Arrival arrival =
+  const SegmentResult reached =
       follow(*session, {0, Contour::segment(0, 1), {1.0, 1.0}, 0, 0, nullptr}, stop);
-  EXPECT_EQ(arrival.journey, Journey::step_too_small);
-  EXPECT_NEAR(arrival.s, 0.5, 1e-6);
+  EXPECT_EQ(reached.status, SegmentStatus::step_too_small);
+  EXPECT_NEAR(reached.s, 0.5, 1e-6);
 }
 
-TEST(LaneTracker, ABudgetOfStepsEndsTheJourney) {
+TEST(LaneTracker, ABudgetOfStepsEndsTheSegment) {
   Scene scene(kCubics, {.maximum_steps = 5});
-  for (const auto& [path, arrival] : run(scene, all_departures(scene))) {
-    EXPECT_EQ(arrival.journey, Journey::step_limit) << path;
-    EXPECT_EQ(arrival.count.accepted + arrival.count.rejected, 5u);
+  for (const auto& [path, reached] : run(scene, all_segments(scene))) {
+    EXPECT_EQ(reached.status, SegmentStatus::step_limit) << path;
+    EXPECT_EQ(reached.count.accepted + reached.count.rejected, 5u);
   }
 }
 
 TEST(LaneTracker, ASetStopCancelsWhatIsUnderWay) {
   Scene scene(kCubics);
-  Journeys journeys(all_departures(scene));
+  SegmentList list(all_segments(scene));
   const std::atomic<bool> stop{true};
-  scene.session->run(journeys, stop);
-  for (const auto& [path, arrival] : journeys.arrivals) {
-    EXPECT_EQ(arrival.journey, Journey::cancelled) << path;
+  scene.session->run(list, stop);
+  for (const auto& [path, reached] : list.results) {
+    EXPECT_EQ(reached.status, SegmentStatus::cancelled) << path;
   }
 }
 
@@ -189,24 +190,24 @@ class StopAt : public Watcher {
   double s_;
 };
 
-TEST(LaneTracker, AWatcherSeesEveryStepAndMayEndTheJourney) {
+TEST(LaneTracker, AWatcherSeesEveryStepAndMayEndTheSegment) {
   Scene scene(kCubics);
   StopAt watcher(0.5);
-  Departure departure = scene.departure(2);
-  departure.watcher = &watcher;
-  const Arrival arrival = run(scene, {departure}).at(2);
-  EXPECT_EQ(arrival.journey, Journey::stopped);
-  EXPECT_EQ(watcher.seen.size(), arrival.count.accepted);
-  EXPECT_EQ(watcher.seen.back(), arrival.s);
-  EXPECT_GE(arrival.s, 0.5);
+  PathSegment segment = scene.segment(2);
+  segment.watcher = &watcher;
+  const SegmentResult reached = run(scene, {segment}).at(2);
+  EXPECT_EQ(reached.status, SegmentStatus::stopped);
+  EXPECT_EQ(watcher.seen.size(), reached.count.accepted);
+  EXPECT_EQ(watcher.seen.back(), reached.s);
+  EXPECT_GE(reached.s, 0.5);
   EXPECT_TRUE(std::is_sorted(watcher.seen.begin(), watcher.seen.end()));
 }
 
 TEST(LaneTracker, MoreCareTakesShorterSteps) {
   Scene scene(kCubics);
-  Departure careful = scene.departure(2);
-  careful.care = 2;
-  const auto plain = run(scene, {scene.departure(2)}).at(2);
+  PathSegment careful = scene.segment(2);
+  careful.tolerance_level = 2;
+  const auto plain = run(scene, {scene.segment(2)}).at(2);
   const auto tight = run(scene, {careful}).at(2);
   EXPECT_GT(tight.count.accepted, plain.count.accepted);
 }
@@ -214,9 +215,9 @@ TEST(LaneTracker, MoreCareTakesShorterSteps) {
 std::uint64_t steps_of(LanePredictor predictor, double tolerance) {
   Scene scene(kCubics, {.tolerance = tolerance, .maximum_steps = 1000000, .predictor = predictor});
   std::uint64_t steps = 0;
-  for (const auto& [path, arrival] : run(scene, all_departures(scene))) {
-    EXPECT_EQ(arrival.journey, Journey::arrived) << to_string(predictor) << ' ' << path;
-    steps += arrival.count.accepted;
+  for (const auto& [path, reached] : run(scene, all_segments(scene))) {
+    EXPECT_EQ(reached.status, SegmentStatus::arrived) << to_string(predictor) << ' ' << path;
+    steps += reached.count.accepted;
   }
   return steps;
 }
@@ -230,41 +231,41 @@ TEST(LaneTracker, APredictorOfHigherOrderTakesFewerSteps) {
 
 TEST(LaneTracker, ManySessionsArriveWhereOneDoes) {
   Scene scene(kCubics);
-  const auto together = run(scene, all_departures(scene));
-  std::vector<std::map<std::uint64_t, Arrival>> parts(3);
+  const auto together = run(scene, all_segments(scene));
+  std::vector<std::map<std::uint64_t, SegmentResult>> parts(3);
   std::vector<std::thread> threads;
   for (std::size_t k = 0; k < parts.size(); ++k) {
     threads.emplace_back([&, k] {
-      std::vector<Departure> own;
+      std::vector<PathSegment> own;
       for (std::uint64_t path = k; path < 9; path += parts.size()) {
-        own.push_back(scene.departure(path));
+        own.push_back(scene.segment(path));
       }
-      Journeys journeys(std::move(own));
+      SegmentList list(std::move(own));
       const std::atomic<bool> stop{false};
-      scene.tracker->open(scene.homotopy)->run(journeys, stop);
-      parts[k] = std::move(journeys.arrivals);
+      scene.tracker->open(scene.homotopy)->run(list, stop);
+      parts[k] = std::move(list.results);
     });
   }
   for (std::thread& thread : threads) thread.join();
   for (const auto& part : parts) {
-    for (const auto& [path, arrival] : part) EXPECT_EQ(arrival.x, together.at(path).x) << path;
+    for (const auto& [path, reached] : part) EXPECT_EQ(reached.x, together.at(path).x) << path;
   }
 }
 
 TEST(EveryTarget, ArrivesAtTheSamePointsWithinAccuracy) {
-  std::map<std::uint64_t, Arrival> expected;
+  std::map<std::uint64_t, SegmentResult> expected;
   ASSERT_GE(targets().size(), 1u);
   for (const std::int64_t target : targets()) {
     const Target chosen(target);
     Scene scene(kCubics);
-    const auto arrivals = run(scene, all_departures(scene));
-    if (expected.empty()) expected = arrivals;
-    for (const auto& [path, arrival] : arrivals) {
-      ASSERT_EQ(arrival.journey, Journey::arrived) << lane_target() << path;
+    const auto results = run(scene, all_segments(scene));
+    if (expected.empty()) expected = results;
+    for (const auto& [path, reached] : results) {
+      ASSERT_EQ(reached.status, SegmentStatus::arrived) << lane_target() << path;
       for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_LT(
-            std::abs(arrival.x[i] / arrival.x[2] - expected.at(path).x[i] / expected.at(path).x[2]),
-            kArrivalAccuracy)
+            std::abs(reached.x[i] / reached.x[2] - expected.at(path).x[i] / expected.at(path).x[2]),
+            kEndAccuracy)
             << lane_target() << path;
       }
     }
@@ -275,9 +276,9 @@ TEST(EveryTarget, GivesTheSameBytesWhateverTheNeighbours) {
   for (const std::int64_t target : targets()) {
     const Target chosen(target);
     Scene scene(kCubics);
-    const auto together = run(scene, all_departures(scene));
+    const auto together = run(scene, all_segments(scene));
     for (std::uint64_t path = 0; path < 9; ++path) {
-      EXPECT_EQ(run(scene, {scene.departure(path)}).at(path).x, together.at(path).x)
+      EXPECT_EQ(run(scene, {scene.segment(path)}).at(path).x, together.at(path).x)
           << lane_target() << path;
     }
   }

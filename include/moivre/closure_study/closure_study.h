@@ -16,7 +16,7 @@ namespace moivre {
 
 /// As study_system(). Throws std::invalid_argument where the mechanism is not supported.
 StudyResult study_mechanism(const Mechanism& mechanism, const std::vector<StudySetting>& settings,
-                            const Tracker& referee, const Tracker* witness,
+                            const Tracker& reference_tracker, const Tracker* witness,
                             const StudyOptions& options = {},
                             const std::atomic<bool>& stop = std::atomic<bool>{false});
 

@@ -25,9 +25,9 @@
 namespace moivre {
 
 /// The motion of the pose q0, assembled at time 0, over `duration` seconds at most: a row a number
-/// of samples. `referee` finds the closures.
+/// of samples. `reference_tracker` finds the closures.
 StudyTable motion_table(const Mechanism& mechanism, const Eigen::VectorXd& q0, double duration,
-                        const Tracker& referee,
+                        const Tracker& reference_tracker,
                         const std::atomic<bool>& stop = std::atomic<bool>{false});
 
 }  // namespace moivre

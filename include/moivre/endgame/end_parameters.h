@@ -47,7 +47,7 @@ struct EndParameters {
   double agreement = 1e-6;
 
   // The Jacobian, bordered and with its rows scaled.
-  /// Up to this condition an arrival at t = 1 is a regular end: Newton's method has half of
+  /// Up to this condition a point reached at t = 1 is a regular end: Newton's method has half of
   /// double's digits to work with.
   double regular_condition = 1e8;
   /// From this condition on a mean of samples is a singular end: u times it is the square root of

@@ -57,7 +57,7 @@ enum class Failure {
 };
 std::string to_string(Failure failure);
 /// Why a path failed if its last segment ended like this before its end.
-Failure to_failure(Journey journey);
+Failure to_failure(SegmentStatus status);
 
 struct EndgameOptions {
   /// The path is followed towards t = 1 as far as it leads before circles are tried: useful with
@@ -105,19 +105,20 @@ enum class FaceRoot;
 
 class Endgame : public Watcher {
  public:
-  Endgame(const EndgameOptions& options, const Chart& chart, std::uint64_t path, int care);
+  Endgame(const EndgameOptions& options, const Chart& chart, std::uint64_t path,
+          int tolerance_level);
 
-  /// The first departure, from a start point at t = 0, in the frame where there is one.
-  Departure depart(Point start, FramePointer frame = nullptr);
+  /// The first segment, from a start point at t = 0, in the frame where there is one.
+  PathSegment depart(Point start, FramePointer frame = nullptr);
 
-  /// The first departure of a path that stands at a start of the endgame on the last stage.
-  Departure take_up(const EndgameStart& endgame_start, PathSystem& path);
+  /// The first segment of a path that stands at a start of the endgame on the last stage.
+  PathSegment take_up(const EndgameStart& endgame_start, PathSystem& path);
 
-  /// Takes an arrival. Returns the next departure, or nullopt when the verdict is known. `path`:
-  /// scratch for evaluations.
-  std::optional<Departure> accept(Arrival&& arrival, PathSystem& path);
+  /// Takes the result of the last segment. Returns the next segment, or nullopt when the verdict is
+  /// known. `path`: scratch for evaluations.
+  std::optional<PathSegment> accept(SegmentResult&& reached, PathSystem& path);
 
-  /// The verdict is not known, and there is no departure: one turn has led from begin_of_turn() to
+  /// The verdict is not known, and there is no segment: one turn has led from begin_of_turn() to
   /// another sheet's, which may be that of another path that waits. Ends by join() or go_on().
   bool waits() const noexcept { return waits_; }
   double radius() const noexcept { return radius_; }
@@ -130,15 +131,15 @@ class Endgame : public Watcher {
   /// std::invalid_argument where they are no such bytes.
   void wait_as(std::string_view bytes, PathEnd end);
   /// Alone.
-  Departure go_on();
+  PathSegment go_on();
   /// The samples of its turn, homogeneous, in no frame.
   std::vector<Point> turn() const;
   /// With the turns of all sheets of its cycle, each beginning where the one before has ended, its
   /// own turns[own].
-  std::optional<Departure> join(const std::vector<std::vector<Point>>& turns, std::size_t own,
-                                PathSystem& path);
+  std::optional<PathSegment> join(const std::vector<std::vector<Point>>& turns, std::size_t own,
+                                  PathSystem& path);
   /// As a sheet of the same cycle, which has ended at infinity.
-  std::optional<Departure> end_with(const Endgame& sheet);
+  std::optional<PathSegment> end_with(const Endgame& sheet);
 
   const PathEnd& end() const noexcept { return end_; }
   PathEnd& end() noexcept { return end_; }
@@ -153,32 +154,32 @@ class Endgame : public Watcher {
     int winding = 0;
   };
 
-  std::optional<Departure> proceed(Arrival&& arrival, PathSystem& path);
-  Departure along(const Contour& contour, Point x, int samples = 0, Watcher* watcher = nullptr);
-  std::optional<Departure> judge_arrival(Arrival&& arrival, PathSystem& path);
+  std::optional<PathSegment> proceed(SegmentResult&& reached, PathSystem& path);
+  PathSegment along(const Contour& contour, Point x, int samples = 0, Watcher* watcher = nullptr);
+  std::optional<PathSegment> judge_result(SegmentResult&& reached, PathSystem& path);
   void polish_endgame_start(PathSystem& path);
-  Departure turn_to_circles(PathSystem& path);
+  PathSegment turn_to_circles(PathSystem& path);
   bool may_look_again() const;
-  std::optional<Departure> look_again(PathSystem& path);
-  std::optional<Departure> hand_on(std::optional<Departure> next, PathSystem& path);
+  std::optional<PathSegment> look_again(PathSystem& path);
+  std::optional<PathSegment> hand_on(std::optional<PathSegment> next, PathSystem& path);
   bool may_go_back() const;
-  Departure go_back();
-  void arrive_back(Arrival&& arrival);
+  PathSegment go_back();
+  void arrive_back(SegmentResult&& reached);
   void deliver_end();
   double common_radius(double radius) const;
-  Departure approach(double radius);
-  std::optional<Departure> begin_circle();
+  PathSegment approach(double radius);
+  std::optional<PathSegment> begin_circle();
   Contour circle() const;
-  Departure walk_turn(Point x);
+  PathSegment walk_turn(Point x);
   bool may_wait() const;
-  std::optional<Departure> next_turn(Arrival&& arrival, PathSystem& path);
-  std::optional<Departure> shrink(PathSystem& path);
-  std::optional<Departure> conclude(PathSystem& path);
-  std::optional<Departure> estimate_end(PathSystem& path);
+  std::optional<PathSegment> next_turn(SegmentResult&& reached, PathSystem& path);
+  std::optional<PathSegment> shrink(PathSystem& path);
+  std::optional<PathSegment> conclude(PathSystem& path);
+  std::optional<PathSegment> estimate_end(PathSystem& path);
   Point laurent_coefficient(int j) const;
   double truncation() const;
   double landing_condition() const;
-  std::optional<Departure> land();
+  std::optional<PathSegment> land();
   std::vector<Complex> samples_of_x0() const;
   bool ends_beyond(const std::vector<Complex>& x0) const;
   FaceRoot place_at_infinity(PathSystem& path) const;
@@ -187,7 +188,7 @@ class Endgame : public Watcher {
   bool polish_samples(PathSystem& path);
   bool sheets_meet(const Point& x) const;
   bool sheets_meet_in_all_digits(PathSystem& path);
-  bool is_regular_arrival(const Arrival& arrival, PathSystem& path, double condition);
+  bool is_regular_end(const SegmentResult& reached, PathSystem& path, double condition);
   bool is_known_finite() const;
   std::nullopt_t take_finite();
   Point normalized(Point x) const;
@@ -196,7 +197,7 @@ class Endgame : public Watcher {
   EndgameOptions options_;
   Chart chart_;
   std::uint64_t path_;
-  int care_;
+  int tolerance_level_;
   FramePointer frame_;
   Phase phase_ = Phase::whole_way;
   PathEnd end_;

@@ -72,11 +72,11 @@ struct SolveResult;
 struct SolveOptions {
   std::uint64_t seed = 1;
   StartKind start = StartKind::automatic;
-  int threads = 0;        ///< 0: as many as the machine has
-  int care = 0;           ///< of the first tracking; each level tightens the tolerances tenfold
-  int maximum_care = 3;   ///< of a path in doubt, which is tracked once more
-  bool eliminate = true;  ///< linear equations before tracking
-  bool scale = true;      ///< rows and variables, by powers of two
+  int threads = 0;          ///< 0: as many as the machine has
+  int tolerance_level = 0;  ///< of the first tracking; each level tightens the tolerances tenfold
+  int maximum_tolerance_level = 3;  ///< of a path in doubt, which is tracked once more
+  bool eliminate = true;            ///< linear equations before tracking
+  bool scale = true;                ///< rows and variables, by powers of two
   /// If the chosen start leaves something open, a polyhedral start follows its own paths, and its
   /// result is returned.
   bool second_start = true;

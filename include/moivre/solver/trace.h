@@ -25,7 +25,7 @@
 namespace moivre {
 
 struct TraceStep {
-  int journey = 0;  ///< counts from 0
+  int segment = 0;  ///< counts from 0
   double s = 0;
   Complex t;
   Point x;                ///< affine

@@ -136,17 +136,17 @@ struct StudySubject {
   std::function<SolveResult(const Tracker&, const SolveOptions&, const std::atomic<bool>&)> solve;
 };
 
-/// `referee` and `witness` are trackers with tight tolerances that are compared with each other;
-/// `witness` may be nullptr. Throws std::invalid_argument when the options or the system are not as
-/// said; a set `stop` ends with the rows that are finished.
+/// `reference_tracker` and `witness` are trackers with tight tolerances that are compared with each
+/// other; `witness` may be nullptr. Throws std::invalid_argument when the options or the system are
+/// not as said; a set `stop` ends with the rows that are finished.
 StudyResult study_subject(const StudySubject& subject, const std::vector<StudySetting>& settings,
-                          const Tracker& referee, const Tracker* witness,
+                          const Tracker& reference_tracker, const Tracker* witness,
                           const StudyOptions& options = {},
                           const std::atomic<bool>& stop = std::atomic<bool>{false});
 
 /// The same of solve(f).
 StudyResult study_system(const System& f, const std::vector<StudySetting>& settings,
-                         const Tracker& referee, const Tracker* witness,
+                         const Tracker& reference_tracker, const Tracker* witness,
                          const StudyOptions& options = {},
                          const std::atomic<bool>& stop = std::atomic<bool>{false});
 

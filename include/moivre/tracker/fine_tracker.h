@@ -19,8 +19,8 @@
 // either end may be as small as doubles are. A path reaches t = 1 only at a regular end: Newton's
 // method must contract far better than at a multiple root until rounding stops it, and the
 // condition must not be too large for S. At a singular end the result is step_too_small. Each level
-// of Departure::care divides the tolerance by 10. Owns its memory; allocates nothing a step but
-// what S does.
+// of PathSegment::tolerance_level divides the tolerance by 10. Owns its memory; allocates nothing a
+// step but what S does.
 // Not supported: tolerances below 1e-11 on circles, whose points are known as doubles while the
 // polynomial looks for more; an end whose condition needs 1 - t below the smallest double.
 // Source: [Deuflhard04] for the step, [Timme21] for the norm.
@@ -79,7 +79,7 @@ struct Clock {
 
 }  // namespace detail
 
-/// Follows one departure after the other.
+/// Follows one segment after the other.
 template <class S>
 class FineSession : public TrackerSession {
  public:
@@ -95,10 +95,10 @@ class FineSession : public TrackerSession {
     }
   }
 
-  void run(DepartureSource& source, const std::atomic<bool>& stop) override {
-    while (std::optional<Departure> departure = source.next()) {
-      Arrival arrival = travel(*departure, stop);
-      source.arrived(*departure, std::move(arrival));
+  void run(SegmentSource& source, const std::atomic<bool>& stop) override {
+    while (std::optional<PathSegment> segment = source.next()) {
+      SegmentResult reached = travel(*segment, stop);
+      source.arrived(*segment, std::move(reached));
     }
   }
 
@@ -122,7 +122,7 @@ class FineSession : public TrackerSession {
   static constexpr double kLargestGrowth = 2;
   static constexpr double kLeastGrowth = 0.2;
   static constexpr double kRefusedStep = 0.25;
-  static constexpr double kCareFactor = 10;
+  static constexpr double kToleranceFactor = 10;
   // A step of w that is as long as all that is left of s, at the pace at which it begins: landing
   // is tried first.
   static constexpr double kLandingStep = 1;
@@ -139,9 +139,10 @@ class FineSession : public TrackerSession {
   // A first correction below this fraction of the tolerance lengthens the step no further.
   static constexpr double kLeastCorrection = 1e-12;
 
-  Arrival travel(const Departure& departure, const std::atomic<bool>& stop);
-  Journey go(const Departure& departure, const std::atomic<bool>& stop, Arrival& arrival);
-  bool depart(const Departure& departure);
+  SegmentResult travel(const PathSegment& segment, const std::atomic<bool>& stop);
+  SegmentStatus go(const PathSegment& segment, const std::atomic<bool>& stop,
+                   SegmentResult& reached);
+  bool depart(const PathSegment& segment);
   const Known& here() const { return known_.front(); }
   const Place& place() const { return here().place; }
   /// w or, to the end, s.
@@ -149,8 +150,8 @@ class FineSession : public TrackerSession {
   double predict(const Place& next, const Real& at);
   double order() const { return static_cast<double>(2 * count_); }
   double growth(const Settling& settling, double tolerance) const;
-  bool step(const Departure& departure, const Place& next, Settling& settling);
-  bool is_watched(const Departure& departure, const Settling& settling, double taken);
+  bool step(const PathSegment& segment, const Place& next, Settling& settling);
+  bool is_watched(const PathSegment& segment, const Settling& settling, double taken);
   const Point& rounded();
 
   FineTrackerOptions options_;
@@ -174,23 +175,23 @@ const Point& FineSession<S>::rounded() {
 }
 
 template <class S>
-bool FineSession<S>::depart(const Departure& departure) {
-  clock_ = {departure.contour.ends_at_one()};
+bool FineSession<S>::depart(const PathSegment& segment) {
+  clock_ = {segment.contour.ends_at_one()};
   Known& start = known_.front();
   start.place = Place();
   start.w = position(start.place, true);
   count_ = 1;
   apart_ = 0;
-  path_.set_frame(departure.frame.get());
-  watched_.set_frame(departure.frame.get());
-  std::transform(departure.x.begin(), departure.x.end(), start.x.begin(),
+  path_.set_frame(segment.frame.get());
+  watched_.set_frame(segment.frame.get());
+  std::transform(segment.x.begin(), segment.x.end(), start.x.begin(),
                  [](const Complex& xi) { return S(xi); });
-  const Real scale(1 / max_norm(departure.x));
+  const Real scale(1 / max_norm(segment.x));
   for (S& xi : start.x) xi = product(scale, xi);
   path_.set_patch(start.x);
-  const PathTime t = start.place.on(departure.contour);
+  const PathTime t = start.place.on(segment.contour);
   if (!path_.settle(start.x, t, FinePathSystem<S>::on_path()).converged) return false;
-  path_.tangent(departure.contour.dt(0), start.dx);
+  path_.tangent(segment.contour.dt(0), start.dx);
   return true;
 }
 
@@ -217,10 +218,10 @@ double FineSession<S>::predict(const Place& next, const Real& at) {
 
 /// Takes the step to `next` when Newton's method finds the path there.
 template <class S>
-bool FineSession<S>::step(const Departure& departure, const Place& next, Settling& settling) {
+bool FineSession<S>::step(const PathSegment& segment, const Place& next, Settling& settling) {
   const double reach =
-      kLargestOvershoot * options_.tolerance / std::pow(kCareFactor, departure.care);
-  const PathTime t = next.on(departure.contour);
+      kLargestOvershoot * options_.tolerance / std::pow(kToleranceFactor, segment.tolerance_level);
+  const PathTime t = next.on(segment.contour);
   const bool is_end = t.rest == 0.0;
   const Real at = position(next, !next.is_end());
   const double last_term = predict(next, at);
@@ -234,7 +235,7 @@ bool FineSession<S>::step(const Departure& departure, const Place& next, Settlin
   count_ = std::min(count_ + 1, known_.size());
   Known& now = known_.front();
   std::swap(now.x, trial_);
-  path_.tangent(departure.contour.dt(next.s), now.dx);
+  path_.tangent(segment.contour.dt(next.s), now.dx);
   now.place = next;
   now.w = at;
   apart_ = settling.first * settling.first / settling.second;
@@ -244,15 +245,15 @@ bool FineSession<S>::step(const Departure& departure, const Place& next, Settlin
 }
 
 template <class S>
-bool FineSession<S>::is_watched(const Departure& departure, const Settling& settling,
+bool FineSession<S>::is_watched(const PathSegment& segment, const Settling& settling,
                                 double taken) {
-  if (departure.watcher == nullptr) return false;
-  const PathTime t = place().on(departure.contour);
-  if (std::abs(t.rest) > departure.watch_radius) return false;
+  if (segment.watcher == nullptr) return false;
+  const PathTime t = place().on(segment.contour);
+  if (std::abs(t.rest) > segment.watch_radius) return false;
   const Point& x = rounded();
   const StepRecord record{place().s,     t, x, taken, static_cast<int>(order()), settling.drift,
                           settling.first};
-  return departure.watcher->watch(record, watched_) == Watcher::Verdict::stop;
+  return segment.watcher->watch(record, watched_) == Watcher::Verdict::stop;
 }
 
 /// Of a step, by both of what the first corrections tell: the prediction's error, and how near that
@@ -266,65 +267,65 @@ double FineSession<S>::growth(const Settling& settling, double tolerance) const 
 }
 
 template <class S>
-Journey FineSession<S>::go(const Departure& departure, const std::atomic<bool>& stop,
-                           Arrival& arrival) {
-  const double tolerance = options_.tolerance / std::pow(kCareFactor, departure.care);
+SegmentStatus FineSession<S>::go(const PathSegment& segment, const std::atomic<bool>& stop,
+                                 SegmentResult& reached) {
+  const double tolerance = options_.tolerance / std::pow(kToleranceFactor, segment.tolerance_level);
   double h = kFirstStep;
   int sample = 0;
   while (place().left > 0) {
-    if (stop.load(std::memory_order_relaxed)) return Journey::cancelled;
-    const StepCount& count = arrival.count;
+    if (stop.load(std::memory_order_relaxed)) return SegmentStatus::cancelled;
+    const StepCount& count = reached.count;
     if (count.accepted + count.rejected >= static_cast<std::uint64_t>(options_.maximum_steps)) {
-      return Journey::step_limit;
+      return SegmentStatus::step_limit;
     }
     Settling settling;
     if (clock_.is_logarithmic && h >= kLandingStep) {
-      if (step(departure, {1, 0}, settling)) {
-        ++arrival.count.accepted;
-        return is_watched(departure, settling, known_[1].place.left) ? Journey::stopped
-                                                                     : Journey::arrived;
+      if (step(segment, {1, 0}, settling)) {
+        ++reached.count.accepted;
+        return is_watched(segment, settling, known_[1].place.left) ? SegmentStatus::stopped
+                                                                   : SegmentStatus::arrived;
       }
-      ++arrival.count.rejected;
+      ++reached.count.rejected;
     }
     Place next = clock_.ahead(place(), h);
     const double stop_at =
-        departure.samples > 0 ? static_cast<double>(sample + 1) / departure.samples : 1;
-    const bool is_sample = departure.samples > 0 && next.s >= stop_at;
+        segment.samples > 0 ? static_cast<double>(sample + 1) / segment.samples : 1;
+    const bool is_sample = segment.samples > 0 && next.s >= stop_at;
     if (is_sample) next = stop_at == 1 ? Place{1, 0} : Place{stop_at, 1 - stop_at};
     const double taken = place().distance_to(next);
-    if (!(taken > FinePathSystem<S>::least_step())) return Journey::step_too_small;
+    if (!(taken > FinePathSystem<S>::least_step())) return SegmentStatus::step_too_small;
     const double tried = clock_.step(place(), next);
-    if (!step(departure, next, settling)) {
-      ++arrival.count.rejected;
+    if (!step(segment, next, settling)) {
+      ++reached.count.rejected;
       h = kRefusedStep * tried;
       continue;
     }
-    ++arrival.count.accepted;
+    ++reached.count.accepted;
     if (is_sample) {
-      arrival.samples.push_back(rounded());
+      reached.samples.push_back(rounded());
       ++sample;
     }
     h = std::max(is_sample ? h : 0, tried * growth(settling, tolerance));
     h = std::min(h, kLargestStep);
-    if (is_watched(departure, settling, taken)) return Journey::stopped;
+    if (is_watched(segment, settling, taken)) return SegmentStatus::stopped;
   }
-  return Journey::arrived;
+  return SegmentStatus::arrived;
 }
 
 template <class S>
-Arrival FineSession<S>::travel(const Departure& departure, const std::atomic<bool>& stop) {
-  Arrival arrival;
+SegmentResult FineSession<S>::travel(const PathSegment& segment, const std::atomic<bool>& stop) {
+  SegmentResult reached;
   const WorkCount before = path_.work();
-  arrival.journey = depart(departure) ? go(departure, stop, arrival) : Journey::bad_start;
-  arrival.x = rounded();
-  arrival.s = place().s;
-  arrival.t = place().on(departure.contour);
-  arrival.count.work = path_.work() - before;
-  if (arrival.journey == Journey::arrived && arrival.t.rest == 0.0) {
-    arrival.regular_condition = path_.condition();
-    arrival.accuracy = FinePathSystem<S>::end_accuracy();
+  reached.status = depart(segment) ? go(segment, stop, reached) : SegmentStatus::bad_start;
+  reached.x = rounded();
+  reached.s = place().s;
+  reached.t = place().on(segment.contour);
+  reached.count.work = path_.work() - before;
+  if (reached.status == SegmentStatus::arrived && reached.t.rest == 0.0) {
+    reached.regular_condition = path_.condition();
+    reached.accuracy = FinePathSystem<S>::end_accuracy();
   }
-  return arrival;
+  return reached;
 }
 
 /// One path after the other in S.

@@ -2,11 +2,11 @@
 // What does a tracker promise? It follows path segments along contours, and says of each how far it
 // came.
 //
-//   Departure   a path segment to be followed: a point and a contour from it
-//   Arrival     its result: the last point that was reached, and the status (Journey)
+//   PathSegment     a path segment to be followed: a point and a contour from it
+//   SegmentResult   its result: the last point that was reached, and the status (SegmentStatus)
 //
-// A source hands out departures. The tracker follows each as far as it can and gives the arrival
-// back to the source. The source may then have further departures, such as an endgame's circles. A
+// A source hands out segments. The tracker follows each as far as it can and gives the result
+// back to the source. The source may then have further segments, such as an endgame's circles. A
 // tracker with many lanes follows many segments at once, one with a single lane one after the
 // other. A tracker decides nothing about roots: endgame/ judges the end of a path, and solver/
 // keeps the counts.
@@ -49,11 +49,12 @@ class Watcher {
   virtual Verdict watch(const StepRecord& step, PathSystem& path) = 0;
 };
 
-struct Departure {
+struct PathSegment {
   std::uint64_t path = 0;
   Contour contour = Contour::segment(0, 1);
-  Point x;          ///< N coordinates, on the path at contour(0) or near it
-  int care = 0;     ///< 0: as the options say; each level more tracks with tighter tolerances
+  Point x;  ///< N coordinates, on the path at contour(0) or near it
+  int tolerance_level =
+      0;            ///< 0: as the options say; each level more tracks with tighter tolerances
   int samples = 0;  ///< points wanted at s = 1/samples, 2/samples, ..., 1; 0: none
   Watcher* watcher = nullptr;  ///< not owned; nullptr: nobody watches
   /// The watcher sees the steps that end with |1 - t| no larger than this.
@@ -61,10 +62,10 @@ struct Departure {
   FramePointer frame = nullptr;  ///< the path's, where the homotopy is framed; x is in it
 };
 
-enum class Journey {
+enum class SegmentStatus {
   arrived,         ///< s = 1 was reached, x is on the path there
   stopped,         ///< the watcher ended it
-  bad_start,       ///< Newton does not converge from the departure's x
+  bad_start,       ///< Newton does not converge from the segment's x
   step_limit,      ///< the budget of steps or evaluations is used up
   step_too_small,  ///< the step fell below the spacing of numbers
   off_path,        ///< the integrator reached s = 1, but Newton does not converge there
@@ -79,8 +80,8 @@ struct StepCount {
   StepCount& operator+=(const StepCount& other);
 };
 
-struct Arrival {
-  Journey journey = Journey::cancelled;
+struct SegmentResult {
+  SegmentStatus status = SegmentStatus::cancelled;
   Point x;       ///< last point on the path
   double s = 0;  ///< where on the contour
   PathTime t{0.0};
@@ -92,25 +93,25 @@ struct Arrival {
   double accuracy = 0;  ///< then: |dx| / |x| that x had before it was rounded to double
 };
 
-/// Hands out departures. `next` may be called by the thread of one session only.
-class DepartureSource {
+/// Hands out segments. `next` may be called by the thread of one session only.
+class SegmentSource {
  public:
-  virtual ~DepartureSource() = default;
-  /// The next departure, or nullopt when there is none *now*. The session ends when it has no
+  virtual ~SegmentSource() = default;
+  /// The next segment, or nullopt when there is none *now*. The session ends when it has no
   /// segment under way either.
-  virtual std::optional<Departure> next() = 0;
-  /// Takes the result of a departure. It may make further departures for `next`.
-  virtual void arrived(const Departure& departure, Arrival&& arrival) = 0;
+  virtual std::optional<PathSegment> next() = 0;
+  /// Takes the result of a segment. It may make further segments for `next`.
+  virtual void arrived(const PathSegment& segment, SegmentResult&& reached) = 0;
 };
 
 /// The tracking of one thread. Owns all memory that a segment needs; allocates nothing per step.
 class TrackerSession {
  public:
   virtual ~TrackerSession() = default;
-  /// Until the source has no more departures. A set `stop` ends segments under way with
-  /// Journey::cancelled. Throws what the source throws, and std::bad_alloc; segments under way are
-  /// lost then, and the session is of no more use.
-  virtual void run(DepartureSource& source, const std::atomic<bool>& stop) = 0;
+  /// Until the source has no more segments. A set `stop` ends segments under way with
+  /// SegmentStatus::cancelled. Throws what the source throws, and std::bad_alloc; segments under
+  /// way are lost then, and the session is of no more use.
+  virtual void run(SegmentSource& source, const std::atomic<bool>& stop) = 0;
 };
 
 class Tracker {
@@ -128,9 +129,9 @@ class Tracker {
 
 /// session.run(). What the source throws is thrown here, when the segments under way have ended; no
 /// others begin.
-void run_session(TrackerSession& session, DepartureSource& source, const std::atomic<bool>& stop);
+void run_session(TrackerSession& session, SegmentSource& source, const std::atomic<bool>& stop);
 
-/// Follows one departure.
-Arrival follow(TrackerSession& session, Departure departure, const std::atomic<bool>& stop);
+/// Follows one segment.
+SegmentResult follow(TrackerSession& session, PathSegment segment, const std::atomic<bool>& stop);
 
 }  // namespace moivre

@@ -7,7 +7,7 @@
 //   for paths that double cannot decide a step: Hermite prediction, one evaluation of H, H_x, H_t,
 //   one factorization, two Newton updates, tangent
 //
-// The result of a segment depends on its departure alone, not on its lane, its neighbours, or the
+// The result of a segment depends on the segment alone, not on its lane, its neighbours, or the
 // number of threads. Two machines with different W follow the same paths, rounded differently.
 // Edges: a lane in which something is not finite rejects its own step and touches no other.
 // Not supported: targets without fixed-size vectors. Sources: [Timme21] for step control by

@@ -19,7 +19,7 @@
 namespace moivre {
 
 /// A path at the beginning of a stage, or the verdict on one that did not come so far.
-struct Beginning {
+struct StageStart {
   std::uint64_t path = 0;
   Point x;  ///< in the frame
   FramePointer frame;
@@ -28,36 +28,38 @@ struct Beginning {
 };
 
 /// The first stage's.
-Beginning first_beginning(const StartPlan& plan, std::uint64_t path);
+StageStart first_stage_start(const StartPlan& plan, std::uint64_t path);
 
 /// Where the path departs on a stage, by whatever follows it there: `watcher` sees its steps on
 /// early stages too.
-Departure departure_of(const Beginning& beginning, int care, Watcher* watcher = nullptr);
+PathSegment segment_of(const StageStart& beginning, int tolerance_level,
+                       Watcher* watcher = nullptr);
 
-/// Takes the arrival on an early stage of the plan into the beginning of the next one.
-void take_arrival(const StartPlan& plan, std::size_t stage, Arrival&& arrival,
-                  Beginning& beginning);
+/// Takes the result of an early stage of the plan into the beginning of the next one.
+void take_result(const StartPlan& plan, std::size_t stage, SegmentResult&& reached,
+                 StageStart& beginning);
 
 /// Of one thread. `draw` gives the next path's number, or nullopt when there are no more.
-class Beginnings {
+class StageStarts {
  public:
   using Draw = std::function<std::optional<std::uint64_t>()>;
 
-  Beginnings(const StartPlan& plan, const Tracker& tracker, int care, std::size_t block, Draw draw);
+  StageStarts(const StartPlan& plan, const Tracker& tracker, int tolerance_level, std::size_t block,
+              Draw draw);
 
   /// Follows the next block of paths to the last stage. False when there is none; nothing to do
   /// where the plan has one stage.
   bool advance(const std::atomic<bool>& stop);
   /// The next path: of the block, or of all where the plan has one stage.
-  std::optional<Beginning> next();
+  std::optional<StageStart> next();
 
  private:
   const StartPlan& plan_;
-  int care_;
+  int tolerance_level_;
   std::size_t block_size_;
   Draw draw_;
   std::vector<std::unique_ptr<TrackerSession>> early_;  // a session a stage but the last
-  std::vector<Beginning> block_;
+  std::vector<StageStart> block_;
   std::size_t next_ = 0;
 };
 

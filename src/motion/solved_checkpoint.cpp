@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Closures solved at checkpoints and between them, and the tracks that are there.
-#include "scene.h"
+#include "solved_checkpoint.h"
 
 #include <algorithm>
 
@@ -22,12 +22,12 @@ double number_of_lengths(const Phi& phi, const Eigen::VectorXd& q) {
   return number_of(lengths);
 }
 
-Scene solve_scene(const MotionRun& run, const Tracker& tracker, double time) {
+SolvedCheckpoint solve_checkpoint(const MotionRun& run, const Tracker& tracker, double time) {
   ClosureOptions options;
   options.time = time;
   options.solve = run.options.solve;
   options.certify = false;  // what is compared with branches needs no proof of its own
-  return scene_of(run.phi, find_closures(run.mechanism, tracker, options, run.stop));
+  return solved_checkpoint(run.phi, find_closures(run.mechanism, tracker, options, run.stop));
 }
 
 std::size_t count_distinct(const std::vector<Solution>& closures) {
@@ -49,33 +49,34 @@ std::size_t count_distinct(const std::vector<Solution>& closures) {
 
 /// Calls visit(j, gap) for each closure that is the same pose as q.
 template <class Visit>
-void visit_same(const Phi& phi, const Scene& scene, const Eigen::VectorXd& q, const Visit& visit) {
+void visit_same(const Phi& phi, const SolvedCheckpoint& solved, const Eigen::VectorXd& q,
+                const Visit& visit) {
   // What is the same pose is hardly larger.
   const double reach = 2 * static_cast<double>(q.size()) * kSamePose * size_of(phi, q);
-  scene.numbers.visit_near(number_of_lengths(phi, q), reach, [&](std::size_t j) {
-    const double gap = distance(phi, q, scene.closures.closures[j].q);
+  solved.numbers.visit_near(number_of_lengths(phi, q), reach, [&](std::size_t j) {
+    const double gap = distance(phi, q, solved.closures.closures[j].q);
     if (gap <= kSamePose) visit(j, gap);
   });
 }
 
 /// Whether a joint's limits hide a closure there.
-bool hides_closures(const Scene& scene) {
-  const ClosureResult& all = scene.closures;
+bool hides_closures(const SolvedCheckpoint& solved) {
+  const ClosureResult& all = solved.closures;
   return all.counts.real + all.counts.fitted + all.fitted_beyond_limits > all.closures.size();
 }
 
-bool is_crossing(const MotionRun& run, const Scene& scene) {
+bool is_crossing(const MotionRun& run, const SolvedCheckpoint& solved) {
   return std::any_of(run.tracks.begin(), run.tracks.end(), [&](const Track& track) {
     const auto events = track.events();
     return std::any_of(events.begin(), events.end(), [&](const BranchEvent* event) {
-      return event->kind == EventKind::bifurcation && is_event_time(run, *event, scene.time);
+      return event->kind == EventKind::bifurcation && is_event_time(run, *event, solved.time);
     });
   });
 }
 
 }  // namespace
 
-Scene scene_of(const Phi& phi, ClosureResult closures) {
+SolvedCheckpoint solved_checkpoint(const Phi& phi, ClosureResult closures) {
   std::vector<double> numbers;
   for (const Closure& closure : closures.closures) {
     numbers.push_back(number_of_lengths(phi, closure.q));
@@ -95,11 +96,11 @@ Scene scene_of(const Phi& phi, ClosureResult closures) {
           are_apart};
 }
 
-std::optional<std::size_t> nearest_closure(const Phi& phi, const Scene& scene,
+std::optional<std::size_t> nearest_closure(const Phi& phi, const SolvedCheckpoint& solved,
                                            const Eigen::VectorXd& q) {
   std::optional<std::size_t> nearest;
   double least = kSamePose;
-  visit_same(phi, scene, q, [&](std::size_t j, double gap) {
+  visit_same(phi, solved, q, [&](std::size_t j, double gap) {
     if (gap > least) return;
     least = gap;
     nearest = j;
@@ -107,70 +108,73 @@ std::optional<std::size_t> nearest_closure(const Phi& phi, const Scene& scene,
   return nearest;
 }
 
-bool stands_alone(const Phi& phi, const Scene& scene, std::size_t closure) {
-  const Closure& it = scene.closures.closures[closure];
+bool stands_alone(const Phi& phi, const SolvedCheckpoint& solved, std::size_t closure) {
+  const Closure& it = solved.closures.closures[closure];
   bool is_alone = !it.singular;
-  visit_same(phi, scene, it.q, [&](std::size_t j, double gap) {
+  visit_same(phi, solved, it.q, [&](std::size_t j, double gap) {
     is_alone = is_alone && (j == closure || gap * it.smallest_singular_value > kParted);
   });
   return is_alone;
 }
 
-std::vector<Scene> solve_scenes(const MotionRun& run, const Tracker& tracker) {
-  std::vector<Scene> scenes;
+std::vector<SolvedCheckpoint> solve_checkpoints(const MotionRun& run, const Tracker& tracker) {
+  std::vector<SolvedCheckpoint> checkpoints;
   const auto count = static_cast<double>(run.times.checkpoints.size());
   for (const double time : run.times.checkpoints) {
     if (run.stop) break;
-    scenes.push_back(solve_scene(run, tracker, time));
-    run.show_progress(0.5 * static_cast<double>(scenes.size()) / count);
+    checkpoints.push_back(solve_checkpoint(run, tracker, time));
+    run.show_progress(0.5 * static_cast<double>(checkpoints.size()) / count);
   }
-  return scenes;
+  return checkpoints;
 }
 
-bool look_closer(MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes) {
+bool look_closer(MotionRun& run, const Tracker& tracker,
+                 std::vector<SolvedCheckpoint>& checkpoints) {
   std::vector<double> times;
-  for (std::size_t c = 1; c < scenes.size(); ++c) {
-    const double from = scenes[c - 1].time;
-    const double to = scenes[c].time;
-    if (!hides_closures(scenes[c - 1]) && !hides_closures(scenes[c])) continue;
+  for (std::size_t c = 1; c < checkpoints.size(); ++c) {
+    const double from = checkpoints[c - 1].time;
+    const double to = checkpoints[c].time;
+    if (!hides_closures(checkpoints[c - 1]) && !hides_closures(checkpoints[c])) continue;
     for (int k = 1; k < kFiner; ++k) times.push_back(from + (to - from) * k / kFiner);
   }
-  add_scenes(run, tracker, times, scenes);
+  add_checkpoints(run, tracker, times, checkpoints);
   return !times.empty();
 }
 
-void add_scenes(MotionRun& run, const Tracker& tracker, const std::vector<double>& times,
-                std::vector<Scene>& scenes) {
+void add_checkpoints(MotionRun& run, const Tracker& tracker, const std::vector<double>& times,
+                     std::vector<SolvedCheckpoint>& checkpoints) {
   for (const double time : times) {
     if (run.stop) return;
     run.add_time(time);
-    scenes.push_back(solve_scene(run, tracker, time));
+    checkpoints.push_back(solve_checkpoint(run, tracker, time));
   }
-  std::sort(scenes.begin(), scenes.end(),
-            [](const Scene& a, const Scene& b) { return a.time < b.time; });
+  std::sort(checkpoints.begin(), checkpoints.end(),
+            [](const SolvedCheckpoint& a, const SolvedCheckpoint& b) { return a.time < b.time; });
 }
 
-std::vector<double> drop_crossings(const MotionRun& run, std::vector<Scene>& scenes) {
+std::vector<double> drop_crossings(const MotionRun& run,
+                                   std::vector<SolvedCheckpoint>& checkpoints) {
   std::vector<double> times;
-  std::erase_if(scenes, [&](const Scene& scene) {
-    const bool is_border = scene.time == run.options.from || scene.time == run.options.to;
-    const bool is_clear = scene.closures.complete && scene.are_apart;
-    if (is_clear || is_border || !is_crossing(run, scene)) return false;
-    times.push_back(scene.time);
+  std::erase_if(checkpoints, [&](const SolvedCheckpoint& solved) {
+    const bool is_border = solved.time == run.options.from || solved.time == run.options.to;
+    const bool is_clear = solved.closures.complete && solved.are_apart;
+    if (is_clear || is_border || !is_crossing(run, solved)) return false;
+    times.push_back(solved.time);
     return true;
   });
   return times;
 }
 
-std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run, Scene& scene) {
+std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run,
+                                                         SolvedCheckpoint& solved) {
   std::optional<std::pair<std::size_t, std::size_t>> conflict;
-  std::fill(scene.track_of.begin(), scene.track_of.end(), std::nullopt);
+  std::fill(solved.track_of.begin(), solved.track_of.end(), std::nullopt);
   for (std::size_t k = 0; k < run.tracks.size(); ++k) {
-    const BranchSample* sample = run.tracks[k].at(scene.time);
+    const BranchSample* sample = run.tracks[k].at(solved.time);
     if (sample == nullptr) continue;
-    const auto nearest = nearest_closure(run.phi, scene, sample->q);
+    const auto nearest = nearest_closure(run.phi, solved, sample->q);
     if (!nearest) continue;
-    auto& owner = scene.track_of[*nearest];
+    auto& owner = solved.track_of[*nearest];
     if (!owner) {
       owner = k;
     } else if (!conflict) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Which paths go, who goes ahead, and how long.
-#include "climbs.h"
+#include "more_digits.h"
 
 #include <algorithm>
 #include <iterator>
@@ -28,8 +28,8 @@ PathSet first_of(const PathGroups& clusters) {
 PathSet others_of(const Run& run, const PathGroups& clusters) {
   PathSet others;
   for (const auto& cluster : clusters) {
-    const auto root = run.ledger.roots().find(cluster.front());
-    if (root == run.ledger.roots().end() || !root->second.point.simple) continue;
+    const auto root = run.table.roots().find(cluster.front());
+    if (root == run.table.roots().end() || !root->second.point.simple) continue;
     others.insert(std::next(cluster.begin()), cluster.end());
   }
   return others;
@@ -37,7 +37,7 @@ PathSet others_of(const Run& run, const PathGroups& clusters) {
 
 PathSet paths_failed_by(const Run& run, Failure reason) {
   PathSet paths;
-  for (const auto& [path, failure] : run.ledger.failures()) {
+  for (const auto& [path, failure] : run.table.failures()) {
     if (failure.failure == reason) paths.insert(path);
   }
   return paths;
@@ -55,9 +55,9 @@ PathSet unsettled_paths(const Run& run) {
 }
 
 bool has_climbed_to_a_simple_root(const Run& run, std::uint64_t path) {
-  const auto root = run.ledger.roots().find(path);
-  return root != run.ledger.roots().end() && root->second.point.simple &&
-         run.ledger.precision(path) == PathPrecision::multiprecision;
+  const auto root = run.table.roots().find(path);
+  return root != run.table.roots().end() && root->second.point.simple &&
+         run.table.precision(path) == PathPrecision::multiprecision;
 }
 
 bool has_helped(const Run& run, const PathSet& ahead) {
@@ -69,7 +69,7 @@ bool has_helped(const Run& run, const PathSet& ahead) {
 /// all digits.
 PathSet unproved_paths(const Run& run) {
   PathSet paths = unsettled_paths(run);
-  for (const auto& [path, root] : run.ledger.roots()) {
+  for (const auto& [path, root] : run.table.roots()) {
     if (!root.point.simple && !root.is_exact) paths.insert(path);
   }
   for (const std::uint64_t path : run.in_all_digits) paths.erase(path);
@@ -78,8 +78,8 @@ PathSet unproved_paths(const Run& run) {
 
 PathSet paths_at_infinity(const Run& run) {
   PathSet paths;
-  for (std::uint64_t path = 0; path < run.ledger.records().size(); ++path) {
-    if (run.ledger.records()[path].verdict == PathVerdict::at_infinity) paths.insert(path);
+  for (std::uint64_t path = 0; path < run.table.records().size(); ++path) {
+    if (run.table.records()[path].verdict == PathVerdict::at_infinity) paths.insert(path);
   }
   return paths;
 }
@@ -88,62 +88,63 @@ PathSet paths_at_infinity(const Run& run) {
 
 void part_in_double_double(Run& run) {
   const PathGroups clusters = clusters_at(run);
-  climb(run, first_of(clusters), Taken::regular_ends);
-  climb(run, others_of(run, clusters), Taken::regular_ends);
+  raise_precision(run, first_of(clusters), Taken::regular_ends);
+  raise_precision(run, others_of(run, clusters), Taken::regular_ends);
 }
 
-void climb_failed_paths(Run& run) {
-  run.in_double_double = climb_together(run, paths_failed_by(run, Failure::precision));
+void raise_failed_paths(Run& run) {
+  run.in_double_double = raise_together(run, paths_failed_by(run, Failure::precision));
 }
 
 void follow_with_care(Run& run) {
   const SolveOptions& options = run.setting.options;
-  if (options.care >= options.maximum_care) return;
+  if (options.tolerance_level >= options.maximum_tolerance_level) return;
   const PathSet paths = paths_in_doubt_but_for(run, run.in_double_double);
   if (paths.empty()) return;
-  track_again(run, paths, options.maximum_care);
-  if (!run.setting.trackers.fine_lanes) climb(run, paths_failed_by(run, Failure::precision));
+  track_again(run, paths, options.maximum_tolerance_level);
+  if (!run.setting.trackers.fine_lanes)
+    raise_precision(run, paths_failed_by(run, Failure::precision));
 }
 
-void climb_in_double_double(Run& run) {
-  PathSet& climbed = run.in_double_double;
+void raise_to_double_double(Run& run) {
+  PathSet& raised = run.in_double_double;
   while (!run.interrupted) {
     PathSet last = unsettled_paths(run);
-    for (const std::uint64_t path : climbed) last.erase(path);
+    for (const std::uint64_t path : raised) last.erase(path);
     if (last.empty()) return;
-    climb(run, last);
-    climbed.merge(last);
+    raise_precision(run, last);
+    raised.merge(last);
   }
 }
 
-void climb_while_it_helps(Run& run, const Tracker& tracker, const PathSet& paths,
+void raise_while_it_helps(Run& run, const Tracker& tracker, const PathSet& paths,
                           const std::function<bool()>& goes_on) {
   std::size_t together = kFirstAhead;
   for (auto next = paths.begin(); next != paths.end() && !run.interrupted; together *= 2) {
     PathSet ahead;
     while (next != paths.end() && ahead.size() < together) ahead.insert(*next++);
-    climb_beyond_double_double(run, tracker, ahead);
+    raise_beyond_double_double(run, tracker, ahead);
     if (has_helped(run, ahead) ? is_settled(run) : !goes_on()) return;
   }
 }
 
-void climb_in_more_digits(Run& run) {
+void raise_to_more_digits(Run& run) {
   for (const auto& tracker : run.setting.trackers.finer) {
-    climb_while_it_helps(run, *tracker, unsettled_paths(run), [&] { return is_root_missing(run); });
+    raise_while_it_helps(run, *tracker, unsettled_paths(run), [&] { return is_root_missing(run); });
     if (run.interrupted || is_settled(run)) return;
   }
 }
 
-void climb_from_contradiction(Run& run) {
+void raise_after_contradiction(Run& run) {
   const auto& finer = run.setting.trackers.finer;
   const bool is_counted = run.bounds.ring.verdict == QuotientRing::Verdict::finite;
   if (finer.empty() || !is_counted || are_as_counted(run)) return;
   for (const auto& tracker : finer) {
-    climb_while_it_helps(run, *tracker, unproved_paths(run), [] { return true; });
+    raise_while_it_helps(run, *tracker, unproved_paths(run), [] { return true; });
     if (run.interrupted || is_settled(run)) return;
   }
   if (!lacks_ends(run)) return;
-  climb_while_it_helps(run, *finer.front(), paths_at_infinity(run), [] { return false; });
+  raise_while_it_helps(run, *finer.front(), paths_at_infinity(run), [] { return false; });
 }
 
 }  // namespace moivre

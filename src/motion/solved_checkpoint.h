@@ -3,7 +3,7 @@
 //
 // A track is at the closure nearest to its pose, where that is the same pose. Two tracks at one
 // closure are a conflict: one of them has left its branch. Half of the progress that is shown is
-// for the scenes at first, half for the tracks.
+// for the checkpoints at first, half for the tracks.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace moivre {
 
-struct Scene {
+struct SolvedCheckpoint {
   double time = 0;
   ClosureResult closures;
   NearNumbers numbers;                               ///< of the closures
@@ -26,28 +26,29 @@ struct Scene {
 };
 
 /// Without tracks.
-Scene scene_of(const Phi& phi, ClosureResult closures);
+SolvedCheckpoint solved_checkpoint(const Phi& phi, ClosureResult closures);
 
 /// Index of the nearest closure that is the same pose as q.
-std::optional<std::size_t> nearest_closure(const Phi& phi, const Scene& scene,
+std::optional<std::size_t> nearest_closure(const Phi& phi, const SolvedCheckpoint& solved,
                                            const Eigen::VectorXd& q);
 
 /// Whether it is simple, and no other closure there is so near that rounding may have parted a
 /// double one.
-bool stands_alone(const Phi& phi, const Scene& scene, std::size_t closure);
+bool stands_alone(const Phi& phi, const SolvedCheckpoint& solved, std::size_t closure);
 
-/// The scenes at `from` and at every checkpoint, ascending; fewer where the run was stopped.
-std::vector<Scene> solve_scenes(const MotionRun& run, const Tracker& tracker);
+/// The checkpoints at `from` and at every checkpoint, ascending; fewer where the run was stopped.
+std::vector<SolvedCheckpoint> solve_checkpoints(const MotionRun& run, const Tracker& tracker);
 
-/// Between two scenes closures are solved so often where a joint's limits hide some.
+/// Between two checkpoints closures are solved so often where a joint's limits hide some.
 inline constexpr int kFiner = 16;
 
 /// Solves closures in between where a joint's limits hide some. True when there was such a place.
-bool look_closer(MotionRun& run, const Tracker& tracker, std::vector<Scene>& scenes);
+bool look_closer(MotionRun& run, const Tracker& tracker,
+                 std::vector<SolvedCheckpoint>& checkpoints);
 
-/// Solves closures at further times; the scenes stay ascending.
-void add_scenes(MotionRun& run, const Tracker& tracker, const std::vector<double>& times,
-                std::vector<Scene>& scenes);
+/// Solves closures at further times; the checkpoints stay ascending.
+void add_checkpoints(MotionRun& run, const Tracker& tracker, const std::vector<double>& times,
+                     std::vector<SolvedCheckpoint>& checkpoints);
 
 /// Drops the checkpoints at which branches cross and closures are not all decided or not apart:
 /// there a pose may move though the drivers stand (an arm's straight wrist), and paths come to no
@@ -55,9 +56,11 @@ void add_scenes(MotionRun& run, const Tracker& tracker, const std::vector<double
 /// sides, and what is one to one there is so across the crossing, too. The first and the last
 /// checkpoint stay.
 /// Returns the times of those that were dropped.
-std::vector<double> drop_crossings(const MotionRun& run, std::vector<Scene>& scenes);
+std::vector<double> drop_crossings(const MotionRun& run,
+                                   std::vector<SolvedCheckpoint>& checkpoints);
 
-/// Sets scene.track_of. Two tracks that are at one closure are returned, the older first.
-std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run, Scene& scene);
+/// Sets solved.track_of. Two tracks that are at one closure are returned, the older first.
+std::optional<std::pair<std::size_t, std::size_t>> match(const MotionRun& run,
+                                                         SolvedCheckpoint& solved);
 
 }  // namespace moivre

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Entries, groups, cycles and missing images.
-#include "ledger.h"
+#include "path_table.h"
 
 #include <algorithm>
 #include <limits>
@@ -28,12 +28,12 @@ std::string to_string(PathVerdict verdict) {
   return "";
 }
 
-PathRecord& Ledger::record(std::uint64_t path) {
+PathRecord& PathTable::record(std::uint64_t path) {
   if (path >= records_.size()) records_.resize(path + 1);
   return records_[path];
 }
 
-void Ledger::decide(std::uint64_t path, PathVerdict verdict) {
+void PathTable::decide(std::uint64_t path, PathVerdict verdict) {
   PathRecord& known = record(path);
   if (known.verdict == PathVerdict::finite) {
     roots_.erase(path);
@@ -48,25 +48,25 @@ void Ledger::decide(std::uint64_t path, PathVerdict verdict) {
   ++count_[static_cast<std::size_t>(verdict)];
 }
 
-void Ledger::enter_root(std::uint64_t path, Root&& root) {
+void PathTable::enter_root(std::uint64_t path, Root&& root) {
   decide(path, PathVerdict::finite);
   roots_[path] = std::move(root);
 }
 
-void Ledger::enter_infinity(std::uint64_t path, bool is_as_rounded) {
+void PathTable::enter_infinity(std::uint64_t path, bool is_as_rounded) {
   decide(path, is_as_rounded ? PathVerdict::as_rounded : PathVerdict::at_infinity);
 }
 
-void Ledger::enter_failure(const FailedPath& failure, Point last) {
+void PathTable::enter_failure(const FailedPath& failure, Point last) {
   decide(failure.path, PathVerdict::failed);
   failures_[failure.path] = failure;
   if (!last.empty()) last_points_[failure.path] = std::move(last);
 }
 
-void Ledger::leave(std::uint64_t path) { decide(path, PathVerdict::not_needed); }
+void PathTable::leave(std::uint64_t path) { decide(path, PathVerdict::not_needed); }
 
-void Ledger::count_following(std::uint64_t path, const StepCount& count, std::size_t stage,
-                             bool is_followed_on) {
+void PathTable::count_following(std::uint64_t path, const StepCount& count, std::size_t stage,
+                                bool is_followed_on) {
   PathRecord& known = record(path);
   const std::uint64_t steps = known.steps + count.accepted + count.rejected;
   known.steps = static_cast<std::uint32_t>(
@@ -76,19 +76,19 @@ void Ledger::count_following(std::uint64_t path, const StepCount& count, std::si
   known.stage = static_cast<std::uint8_t>(stage);
 }
 
-PathPrecision Ledger::precision(std::uint64_t path) const {
+PathPrecision PathTable::precision(std::uint64_t path) const {
   return path < records_.size() ? records_[path].precision : PathPrecision::double_precision;
 }
 
-std::uint64_t Ledger::count(PathVerdict verdict) const {
+std::uint64_t PathTable::count(PathVerdict verdict) const {
   return count_[static_cast<std::size_t>(verdict)];
 }
 
-std::uint64_t Ledger::tracked() const {
+std::uint64_t PathTable::tracked() const {
   return std::accumulate(count_.begin(), count_.end(), std::uint64_t{0});
 }
 
-std::vector<std::vector<std::uint64_t>> Ledger::groups() const {
+std::vector<std::vector<std::uint64_t>> PathTable::groups() const {
   std::vector<std::uint64_t> paths;
   std::vector<KnownPoint> points;
   for (const auto& [path, root] : roots_) {
@@ -109,11 +109,11 @@ std::vector<std::vector<std::uint64_t>> Ledger::groups() const {
   return groups;
 }
 
-std::optional<std::vector<int>> cycles(const Ledger& ledger,
+std::optional<std::vector<int>> cycles(const PathTable& table,
                                        const std::vector<std::uint64_t>& group) {
   std::map<int, int> paths_of_winding;
   for (const std::uint64_t path : group) {
-    ++paths_of_winding[ledger.roots().at(path).winding.value_or(1)];
+    ++paths_of_winding[table.roots().at(path).winding.value_or(1)];
   }
   std::vector<int> result;
   for (const auto& [winding, count] : paths_of_winding) {
@@ -133,11 +133,11 @@ bool is_real(const Root& root) {
   });
 }
 
-std::vector<Point> missing_conjugates(const Ledger& ledger) {
+std::vector<Point> missing_conjugates(const PathTable& table) {
   std::vector<Point> images;
   std::vector<KnownPoint> points;
-  images.reserve(ledger.roots().size());
-  for (const auto& [path, root] : ledger.roots()) {
+  images.reserve(table.roots().size());
+  for (const auto& [path, root] : table.roots()) {
     if (!root.point.simple || is_real(root)) continue;
     points.push_back({&root.point.x, root.tolerance});
     Point& image = images.emplace_back(root.point.x);

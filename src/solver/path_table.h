@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where did each path end, and which paths ended at one point? The ledger of all paths.
+// Where did each path end, and which paths ended at one point? The table of all paths.
 //
 // A path has exactly one entry, its last: a root, a failure, infinity, or not needed. Of every
 // path its record is kept, 16 bytes; of a root and of a failure what more there is
@@ -37,7 +37,7 @@ struct Root {
   mutable std::optional<SetHere> on_set;
 };
 
-class Ledger {
+class PathTable {
  public:
   /// Each takes the place of what was entered of the path before.
   void enter_root(std::uint64_t path, Root&& root);
@@ -92,11 +92,11 @@ class Ledger {
 
 /// Number of cycles of each winding number that these paths make up; nullopt when they make no
 /// whole cycles, so that a path is missing or one is too many.
-std::optional<std::vector<int>> cycles(const Ledger& ledger,
+std::optional<std::vector<int>> cycles(const PathTable& table,
                                        const std::vector<std::uint64_t>& group);
 
 /// Simple roots, not real, whose complex conjugate is not among the roots.
-std::vector<Point> missing_conjugates(const Ledger& ledger);
+std::vector<Point> missing_conjugates(const PathTable& table);
 
 /// All imaginary parts vanish: by proof where there is one, else to within the root's accuracy.
 bool is_real(const Root& root);

@@ -2,7 +2,7 @@
 // Remedies that follow paths again: with smaller steps, in double-double, in more digits.
 //
 // Each takes the paths from the questions that are open (judge.h) and leaves what it finds in the
-// ledger. More digits save no steps:
+// table. More digits save no steps:
 // where the caller's budget ended a path it stays ended. Private to the module.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace moivre {
 void part_in_double_double(Run& run);
 
 /// Where many paths go at once digits cost less than care, and care helps none that they do not.
-void climb_failed_paths(Run& run);
+void raise_failed_paths(Run& run);
 
 /// By the other tracker where there is one, but for paths that double-double has left without an
 /// end.
@@ -25,20 +25,20 @@ void follow_with_care(Run& run);
 
 /// A path may turn out to end where another was thought to: that one is followed next. Each is
 /// once.
-void climb_in_double_double(Run& run);
+void raise_to_double_double(Run& run);
 
 /// Simple roots that double-double cannot part.
-void climb_in_more_digits(Run& run);
+void raise_to_more_digits(Run& run);
 
 /// The ends do not add up to what exact algebra counts: one that is told without a proof is none,
 /// and nothing tells which. Where there are fewer ends than roots a path that is said to end at
 /// infinity may have jumped on its way, and a root of size 1e34 is there as far as double tells.
-void climb_from_contradiction(Run& run);
+void raise_after_contradiction(Run& run);
 
 /// Some paths go ahead by `tracker`, then twice as many, as long as one of the last ones has found
 /// a simple root or `goes_on`, and the run is not settled. A path that ends at no simple root costs
 /// as much as thousands in double.
-void climb_while_it_helps(Run& run, const Tracker& tracker, const PathSet& paths,
+void raise_while_it_helps(Run& run, const Tracker& tracker, const PathSet& paths,
                           const std::function<bool()>& goes_on);
 
 }  // namespace moivre
