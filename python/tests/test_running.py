@@ -53,8 +53,9 @@ def test_ctrl_c_in_a_long_list_of_poses_returns_at_once(tracker):
     done = run(f"""
 arm = moivre.Arm({puma!r})
 poses = arm.fk([[0.3 + 1e-5 * k, -0.5, 0.3, 0.4, 0.5, 0.6] for k in range(100_000)])
-threading.Timer(1.0, press).start()
-q = arm.ik(poses, tracker={tracker!r})
+some = threading.Event()
+threading.Thread(target=lambda: some.wait() and press(), daemon=True).start()
+q = arm.ik(poses, tracker={tracker!r}, progress=lambda done, count: done > 0 and some.set())
 print(time.perf_counter() - begin[0], q.complete, q.counts[0], q.counts[-1])
 """)
     assert done.returncode == 0, done.stderr

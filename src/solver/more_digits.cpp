@@ -54,7 +54,7 @@ PathSet unsettled_paths(const Run& run) {
   return paths_in_doubt_but_for(run, paths_failed_by(run, Failure::step_limit));
 }
 
-bool has_climbed_to_a_simple_root(const Run& run, std::uint64_t path) {
+bool has_come_to_a_simple_root(const Run& run, std::uint64_t path) {
   const auto root = run.table.roots().find(path);
   return root != run.table.roots().end() && root->second.point.simple &&
          run.table.precision(path) == PathPrecision::multiprecision;
@@ -62,7 +62,7 @@ bool has_climbed_to_a_simple_root(const Run& run, std::uint64_t path) {
 
 bool has_helped(const Run& run, const PathSet& ahead) {
   return std::any_of(ahead.begin(), ahead.end(),
-                     [&](auto path) { return has_climbed_to_a_simple_root(run, path); });
+                     [&](auto path) { return has_come_to_a_simple_root(run, path); });
 }
 
 /// Paths that are open, and those whose ends are told without a proof, unless they were followed in

@@ -2,8 +2,8 @@
 // Remedies that follow paths again: with smaller steps, in double-double, in more digits.
 //
 // Each takes the paths from the questions that are open (judge.h) and leaves what it finds in the
-// table. More digits save no steps:
-// where the caller's budget ended a path it stays ended. Private to the module.
+// table. More digits save no steps: where the caller's budget ended a path it stays ended. Private
+// to the module.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,8 @@ namespace moivre {
 /// double-double.
 void part_in_double_double(Run& run);
 
-/// Where many paths go at once digits cost less than care, and care helps none that they do not.
+/// Where many paths go at once digits cost less than smaller steps, and these help none that digits
+/// do not.
 void raise_failed_paths(Run& run);
 
 /// By the other tracker where there is one, but for paths that double-double has left without an

@@ -16,11 +16,11 @@ namespace {
 constexpr std::uint64_t kSeed = 1;
 
 // Points are known to this, relative, where they are compared.
-constexpr double kMarkTolerance = 1e-7;
+constexpr double kHashTolerance = 1e-7;
 
 }  // namespace
 
-double tolerance_at(Complex hash) { return kMarkTolerance * std::max(1.0, std::abs(hash)); }
+double tolerance_at(Complex hash) { return kHashTolerance * std::max(1.0, std::abs(hash)); }
 
 Complex hash_of(const Point& x) {
   Complex hash = 0;

@@ -100,7 +100,7 @@ TEST(Jump, IsSeenAndTrackedAgainUntilEveryRootIsFound) {
 }
 
 /// Without the last resorts: the tracker in double-double, which jumps nowhere, and another start.
-SolveOptions never_climbing(std::uint64_t seed) {
+SolveOptions in_double_alone(std::uint64_t seed) {
   SolveOptions options = with_seed(seed);
   options.precision = Precision::double_precision;
   options.second_start = false;
@@ -120,7 +120,7 @@ TEST(Jump, ThatComesAgainAtEveryCareIsAFailureThatIsSaid) {
   const auto& p = problem("dense-complex-4-3");
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const SolveResult result = solve(system_of(p), with_a_jump(kEveryCare), never_climbing(seed));
+    const SolveResult result = solve(system_of(p), with_a_jump(kEveryCare), in_double_alone(seed));
     expect_conservation(result);
     EXPECT_FALSE(result.complete);
     ASSERT_EQ(result.failures.size(), 1U);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Does a path climb to the precision that it needs, no other path with it, and does the result say
+// Is a path followed in the precision that it needs, no other path with it, and does the result say
 // so?
 #include <gtest/gtest.h>
 

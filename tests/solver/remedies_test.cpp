@@ -88,6 +88,17 @@ TEST(Remedies, MultipleRootsThatNoPathShowsAreToldByTheQuotientRing) {
   }
 }
 
+// The two certified roots lie apart from the curve x^2 = 2 y, z = 2, on which three sheets meet
+// everywhere.
+TEST(Remedies, PointsOfACurveOfMultipleRootsAreNoClusters) {
+  const System f = read("3\n (x^2-2*y)^2*(z+x);\n (x^2-2*y)*(z+1);\n (z-2)^3 + (x^2-2*y)^2;\n");
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    const SolveResult result = solve(f, *make_lane_tracker(), with_seed(seed));
+    EXPECT_EQ(result.solutions.size(), 2U) << seed;
+    EXPECT_EQ(certified_roots(result), 2U) << seed;
+  }
+}
+
 TEST(Remedies, ClustersThatNoCountConfirmsArePartedInMoreDigits) {
   const SolveResult result = solve(near_pairs(300), *make_lane_tracker(), with_seed(1));
   EXPECT_GE(certified_roots(result), 3U);

@@ -2,10 +2,9 @@
 // What happens along one path? Every accepted step of a path as solve() follows it, and the verdict
 // on its end.
 //
-// A trace is a sequence of path segments (`journey` counts them). The first goes from t = 0 to t =
-// 1. If the end is not regular, the endgame's segments towards t = 1 and its circles around it
-//    follow. s runs from 0 to 1 in each segment. The
-// first row is the start point, with a step of 0.
+// A trace is a sequence of path segments. The first goes from t = 0 to t = 1. If the end is not
+// regular, the endgame's segments towards t = 1 and its circles around it follow. s runs from 0 to
+// 1 in each segment. The first row is the start point, with a step of 0.
 //
 //   path of solve()   number as in Solution::path; H is the homotopy after elimination and scaling,
 //                     x is given back in the system's own variables
