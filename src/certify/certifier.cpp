@@ -15,6 +15,7 @@
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/threads.h"
 #include "reality.h"
+#include "upward.h"
 
 namespace moivre {
 namespace {
@@ -188,6 +189,22 @@ bool Certifier::sharpen(Certificate& certificate, int bits, std::span<const Encl
 Enclosure enclosure(const Certificate& certificate, std::size_t j) {
   Enclosure result{certificate.midpoint[j], {}, certificate.error[j]};
   for (const Point& part : certificate.finer) result.finer.push_back(part[j]);
+  return result;
+}
+
+std::optional<Certificate> about(const Certificate& certificate, const Point& x) {
+  if (!certificate.finer.empty()) return std::nullopt;
+  Certificate result = certificate;
+  result.midpoint = x;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    if (x[j] == certificate.midpoint[j]) continue;
+    const double moved = size_bound(x[j] - certificate.midpoint[j]);
+    result.error[j] = raised(certificate.error[j] + moved);
+    // What is lost in rounding is added to what is taken away.
+    result.radius[j] = certificate.radius[j] -
+                       raised(raised(certificate.radius[j]) - certificate.radius[j] + moved);
+    if (!(result.error[j] < result.radius[j])) return std::nullopt;
+  }
   return result;
 }
 

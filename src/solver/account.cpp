@@ -262,7 +262,7 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
   Solution solution;
   solution.path = group.front();
   solution.x = point.x;
-  if (root.certificate && root.certificate->midpoint == point.x) {
+  if (root.certificate && point.x == root.certificate->midpoint) {
     solution.finer = root.certificate->finer;
   }
   solution.real = is_real(root);

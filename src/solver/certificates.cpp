@@ -28,7 +28,7 @@ std::vector<std::vector<std::uint64_t>> parted(const Run& run, Certifier& certif
     const Root& root = run.table.roots().at(path);
     if (root.is_exact) {
       const auto same = std::find_if(parts.begin(), parts.end(), [&](const auto& part) {
-        return run.table.roots().at(part.front()).point.x == root.point.x;
+        return run.table.roots().at(part.front()).point.x.point() == root.point.x.point();
       });
       (same == parts.end() ? parts.emplace_back() : *same).push_back(path);
       continue;

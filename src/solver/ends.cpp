@@ -165,6 +165,10 @@ Root proved_root(Refiner& refiner, std::shared_ptr<const Certificate> proof) {
   Root root;
   root.point = refiner.take(*proof);
   root.tolerance = 4 * root.point.accuracy + kSimpleRounding;
+  if (auto same = about(*proof, root.point.x)) {
+    proof = std::make_shared<const Certificate>(*std::move(same));
+    root.point.x = SharedPoint(std::shared_ptr<const Point>(proof, &proof->midpoint));
+  }
   root.certificate = std::move(proof);
   return root;
 }
@@ -214,8 +218,7 @@ void judge_ends(Run& run, Unproved unproved) {
     } else if (unproved == Unproved::waits) {
       run.waiting[path] = {};
     } else {
-      run.table.enter_failure({path, Failure::precision, end.t, end.stage},
-                              std::move(roots[k].point.x));
+      run.table.enter_failure({path, Failure::precision, end.t, end.stage}, roots[k].point.x);
     }
   }
   run.ends.clear();

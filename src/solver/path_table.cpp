@@ -94,7 +94,7 @@ std::vector<std::vector<std::uint64_t>> PathTable::groups() const {
   for (const auto& [path, root] : roots_) {
     if (refuted_.contains(path)) continue;
     paths.push_back(path);
-    points.push_back({&root.point.x, root.tolerance});
+    points.push_back({&root.point.x.point(), root.tolerance});
   }
   std::vector<std::vector<std::size_t>> indices = coincidence_groups(points);
   points = {};
@@ -139,7 +139,7 @@ std::vector<Point> missing_conjugates(const PathTable& table) {
   images.reserve(table.roots().size());
   for (const auto& [path, root] : table.roots()) {
     if (!root.point.simple || is_real(root)) continue;
-    points.push_back({&root.point.x, root.tolerance});
+    points.push_back({&root.point.x.point(), root.tolerance});
     Point& image = images.emplace_back(root.point.x);
     for (Complex& xi : image) xi = std::conj(xi);
   }

@@ -218,7 +218,7 @@ double Refiner::residual(const Point& x) {
 }
 
 bool Refiner::take_snapped(Refined& root, Point&& snapped) {
-  if (snapped == root.x) return false;
+  if (root.x == snapped) return false;
   const double snapped_residual = residual(snapped);
   if (snapped_residual > std::max(root.residual, kUnitRoundoff)) return false;
   root.x = std::move(snapped);

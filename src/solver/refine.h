@@ -13,11 +13,12 @@
 #include "moivre/numeric/double_double.h"
 #include "moivre/polynomial/tape.h"
 #include "moivre/solver/solve.h"
+#include "shared_point.h"
 
 namespace moivre {
 
 struct Refined {
-  Point x;
+  SharedPoint x;
   bool simple = false;
   double residual = 0;  ///< max_i |F_i(x)| / sum |terms of F_i|
   double accuracy =

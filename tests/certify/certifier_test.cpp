@@ -325,6 +325,40 @@ TEST(Certifier, SharpensNoOtherRootThanThatOfTheBall) {
   EXPECT_EQ(c.bits, kDoubleBits);
 }
 
+// The ball about another of its points lies within it, and holds the root with its error.
+TEST(Certifier, TellsTheSameProofAboutAnotherPoint) {
+  const Planted p = planted(4, 3, Factors::conjugate_pairs);
+  Certifier certifier(make_certify_program(p.f));
+  std::size_t told = 0;
+  for (std::size_t k = 0; k < p.roots.size(); ++k) {
+    if (p.multiplicity[k] != 1) continue;
+    const Point x = to_double(p.roots[k]);
+    const Certificate c = certifier.certify(x);
+    ASSERT_TRUE(c.finer.empty()) << k;
+    for (const double share : {0.0, 0.01, 0.4, 1.0}) {
+      Point moved = c.midpoint;
+      for (std::size_t j = 0; j < moved.size(); ++j)
+        moved[j] += share * Complex(0.6, -0.8) * c.radius[j];
+      const auto same = about(c, moved);
+      EXPECT_EQ(same.has_value(), share < 1) << k << ' ' << share;
+      if (!same) continue;
+      ++told;
+      EXPECT_EQ(same->midpoint, moved);
+      EXPECT_EQ(same->reality, c.reality);
+      EXPECT_EQ(untruth(*same, p, x, 1), "");
+      for (std::size_t j = 0; j < moved.size(); ++j) {
+        const Rational re = Rational(moved[j].real()) - Rational(c.midpoint[j].real());
+        const Rational im = Rational(moved[j].imag()) - Rational(c.midpoint[j].imag());
+        const Rational room = Rational(c.radius[j]) - Rational(same->radius[j]);
+        EXPECT_LE(re * re + im * im, room * room) << k << ' ' << j;
+        const Rational more = Rational(same->error[j]) - Rational(c.error[j]);
+        EXPECT_LE(re * re + im * im, more * more) << k << ' ' << j;
+      }
+    }
+  }
+  EXPECT_GT(told, 50U);
+}
+
 TEST(Certifier, GivesTheSameForAnyNumberOfThreads) {
   const Planted p = planted(2, 3, Factors::conjugate_pairs);
   std::vector<Point> points;

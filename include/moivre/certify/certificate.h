@@ -17,6 +17,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -59,6 +60,10 @@ struct Certificate {
 /// Where coordinate j of the root lies. Requires holds_root().
 Enclosure enclosure(const Certificate& certificate, std::size_t j);
 bool holds_zero(const Enclosure& z);
+
+/// The same proof with x as its midpoint, a smaller ball; nullopt where x is too near its border,
+/// and where the midpoint is known beyond double. Requires holds_root().
+std::optional<Certificate> about(const Certificate& certificate, const Point& x);
 
 /// A coordinate of a proved root, and the radius in which there is no other one.
 struct ProvedCoordinate {
