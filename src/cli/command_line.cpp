@@ -125,7 +125,7 @@ int refuse(const std::string& text) {
 
 /// Whether several processes do the command's work together.
 bool is_shared(const CLI::App& moivre) {
-  static const std::set<std::string> kShared{"solve", "closures", "motion", "family"};
+  static const std::set<std::string> kShared{"solve", "closures", "motion", "family", "sweep"};
   for (const CLI::App* command : moivre.get_subcommands()) {
     if (kShared.count(command->get_name()) > 0) return true;
   }

@@ -61,8 +61,8 @@ const std::map<std::string, Text> kTexts{
        "Every rank reads the files and runs the command, so that all need these under the same "
        "names. Where it comes to a list of jobs, rank 0 hands out pieces of it. Rank 0 alone "
        "writes, and its exit status is that of the run. Paths are shared by solve, closures, "
-       "motion, family learn and family solve; the other commands are done by rank 0. --threads "
-       "says how many each rank has.",
+       "motion, family learn and family solve, samples by sweep; the other commands are done by "
+       "rank 0. --threads says how many each rank has.",
        "With --ledger the same command goes on after a kill or the death of a rank, with as many "
        "ranks as there are then, or by moivre alone. " +
            kStop,

@@ -27,14 +27,27 @@ std::uint64_t job_of(const std::vector<double>& at) {
   return maker.fingerprint().first;
 }
 
+void put(ByteWriter& bytes, const Assemblies& found) {
+  for (const std::uint64_t count : {found.real, found.filtered, found.fitted}) bytes.put(count);
+  bytes.put(found.moves);
+}
+
+Assemblies get_assemblies(ByteReader& bytes) {
+  Assemblies found;
+  for (std::uint64_t* count : {&found.real, &found.filtered, &found.fitted}) {
+    *count = bytes.get<std::uint64_t>();
+  }
+  found.moves = bytes.get<bool>();
+  return found;
+}
+
+}  // namespace
+
 std::string bytes_of(const SweepSample& sample) {
   ByteWriter bytes;
   bytes.put(sample.at);
-  for (const std::uint64_t count :
-       {sample.complex, sample.found.real, sample.found.filtered, sample.found.fitted}) {
-    bytes.put(count);
-  }
-  bytes.put(sample.found.moves);
+  bytes.put(sample.complex);
+  put(bytes, sample.found);
   bytes.put(sample.complete);
   bytes.put(static_cast<std::uint64_t>(sample.closures.size()));
   for (const Eigen::VectorXd& q : sample.closures) {
@@ -47,11 +60,8 @@ SweepSample sample_of(std::string_view text) {
   ByteReader bytes(text);
   SweepSample sample;
   sample.at = bytes.get_vector<double>();
-  for (std::uint64_t* count :
-       {&sample.complex, &sample.found.real, &sample.found.filtered, &sample.found.fitted}) {
-    *count = bytes.get<std::uint64_t>();
-  }
-  sample.found.moves = bytes.get<bool>();
+  sample.complex = bytes.get<std::uint64_t>();
+  sample.found = get_assemblies(bytes);
   sample.complete = bytes.get<bool>();
   for (auto left = bytes.get<std::uint64_t>(); left > 0; --left) {
     const std::vector<double> q = bytes.get_vector<double>();
@@ -62,7 +72,30 @@ SweepSample sample_of(std::string_view text) {
   return sample;
 }
 
-}  // namespace
+std::string bytes_of(const std::vector<SweepBorder>& borders) {
+  ByteWriter bytes;
+  bytes.put(static_cast<std::uint64_t>(borders.size()));
+  for (const SweepBorder& border : borders) {
+    bytes.put(border.at);
+    put(bytes, border.below);
+    put(bytes, border.above);
+    bytes.put(static_cast<std::uint64_t>(border.along));
+  }
+  return bytes.bytes();
+}
+
+std::vector<SweepBorder> borders_of(std::string_view text) {
+  ByteReader bytes(text);
+  std::vector<SweepBorder> borders(bytes.get<std::uint64_t>());
+  for (SweepBorder& border : borders) {
+    border.at = bytes.get_vector<double>();
+    border.below = get_assemblies(bytes);
+    border.above = get_assemblies(bytes);
+    border.along = bytes.get<std::uint64_t>();
+  }
+  bytes.require_end();
+  return borders;
+}
 
 ObservedSamples::ObservedSamples(const std::vector<Varied>& varied, const Tracker& tracker,
                                  const SweepOptions& options)
@@ -82,6 +115,20 @@ void ObservedSamples::keep(const SweepSample& sample) const {
   if (observations_ == nullptr) return;
   observations_->keep(list_, JobOutcome{job_of(sample.at), bytes_of(sample),
                                         sample.complete ? OutcomeKind::root : OutcomeKind::failed});
+}
+
+Fingerprint ObservedSamples::list_of_borders(const std::vector<SweepSample>& samples,
+                                             const std::vector<SamplePair>& pairs) const {
+  FingerprintMaker maker;
+  maker.add(std::string_view("borders"));
+  maker.add(list_.first);
+  maker.add(list_.second);
+  for (const SamplePair& pair : pairs) {
+    for (const std::size_t k : {pair.first, pair.second}) {
+      for (const double number : samples[k].at) maker.add(number);
+    }
+  }
+  return maker.fingerprint();
 }
 
 }  // namespace moivre

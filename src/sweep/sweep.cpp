@@ -5,6 +5,8 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <functional>
+#include <map>
 #include <mutex>
 #include <stdexcept>
 
@@ -20,6 +22,16 @@ namespace {
 constexpr std::size_t kMostSamples = 1'000'000;
 // Borders between two samples: more are not looked for.
 constexpr std::size_t kMostBorders = 16;
+
+/// What processes do together. The outcome of a job during which a family was learned is empty:
+/// every process solves it, so that all come to the same families.
+struct SweepJobs {
+  Fingerprint list;
+  std::size_t count = 0;
+  std::function<bool(std::size_t k)> is_known;  ///< it needs no time
+  std::function<std::string(std::size_t k)> solve;
+  std::function<void(std::size_t k, std::string_view outcome)> take;
+};
 
 class Sweep {
  public:
@@ -39,6 +51,10 @@ class Sweep {
     closures_.solve.progress = nullptr;
     closures_.solve.observations = nullptr;  // whole samples are kept
   }
+
+  const ObservedSamples& observed() const { return observed_; }
+  std::size_t learned() const { return book_.learned(); }
+  bool is_stopped() const { return stop_; }
 
   SweepSample sample(std::vector<double> at) const {
     if (auto known = observed_.recall(at)) return std::move(*known);
@@ -66,17 +82,17 @@ class Sweep {
     return sample;
   }
 
-  /// f(k) for all k on all threads, told as progress. What a value makes the mechanism refuse is
-  /// thrown, and what the callback throws.
-  void on_all(std::size_t count, const std::function<void(std::size_t)>& f) {
+  /// All jobs of a list, on all threads and by all processes, told as progress. What a value makes
+  /// the mechanism refuse is thrown, and what the callback throws.
+  void do_all(const SweepJobs& jobs) {
     std::atomic<std::size_t> next{0};
     std::size_t done = 0;
     std::mutex mutex;
     std::exception_ptr refusal;
-    const auto one = [&](std::size_t k) {
+    const auto one = [&](const std::function<void()>& f) {
       std::exception_ptr thrown;
       try {
-        f(k);
+        f();
       } catch (...) {
         thrown = std::current_exception();
       }
@@ -84,19 +100,49 @@ class Sweep {
       if (refusal) return false;
       refusal = thrown;
       try {
-        if (!refusal && options_.progress) options_.progress(++done, count);
+        if (!refusal && options_.progress) options_.progress(++done, jobs.count);
       } catch (...) {
         refusal = std::current_exception();
       }
       return refusal == nullptr;
     };
-    const auto work = [&] {
-      for (std::size_t k = next++; k < count && !stop_; k = next++) {
-        if (!one(k)) return;
-      }
+    const auto require_none_refused = [&] {
+      if (refusal) std::rethrow_exception(refusal);
     };
-    on_threads(thread_count(options_.closures.solve.threads), work);
-    if (refusal) std::rethrow_exception(refusal);
+    Observations* const observations = observed_.observations();
+    const auto shares = observations != nullptr && jobs.count > 1
+                            ? observations->share(jobs.list, jobs.count)
+                            : std::unique_ptr<JobShares>();
+    const auto draw = [&]() -> std::optional<std::size_t> {
+      if (shares) return shares->draw();
+      const std::size_t k = next++;
+      return k < jobs.count ? std::optional(k) : std::nullopt;
+    };
+    const auto do_one = [&](std::size_t k) {
+      return one([&] {
+        std::string outcome = jobs.solve(k);
+        if (shares && !stop_) shares->tell(k, std::move(outcome));
+      });
+    };
+    const auto do_mine = [&] {
+      on_threads(thread_count(options_.closures.solve.threads), [&] {
+        while (!stop_) {
+          const auto k = draw();
+          if (!k || !do_one(*k)) return;
+        }
+      });
+      require_none_refused();
+    };
+    if (!shares) return do_mine();
+    for (std::size_t k = 0; k < jobs.count; ++k) {
+      if (jobs.is_known(k) && !do_one(k)) require_none_refused();
+    }
+    do_together(*shares, stop_, do_mine, [&](const ToldOutcome& told) {
+      one([&] {
+        told.bytes.empty() ? void(jobs.solve(told.job)) : jobs.take(told.job, told.bytes);
+      });
+      require_none_refused();
+    });
   }
 
   /// Between a and b, which differ in the number `along`, to `width`.
@@ -134,13 +180,8 @@ class Sweep {
   const std::atomic<bool>& stop_;
 };
 
-/// A pair of neighbours on the grid.
-struct Edge {
-  std::size_t first, second, along;
-};
-
-std::vector<Edge> edges_of(const std::vector<Varied>& varied) {
-  std::vector<Edge> edges;
+std::vector<SamplePair> edges_of(const std::vector<Varied>& varied) {
+  std::vector<SamplePair> edges;
   if (varied.size() == 1) {
     for (std::size_t k = 0; k + 1 < varied[0].count; ++k) edges.push_back({k, k + 1, 0});
     return edges;
@@ -158,14 +199,14 @@ std::vector<Edge> edges_of(const std::vector<Varied>& varied) {
 
 void sharpen_borders(Sweep& run, const SweepOptions& options, SweepResult& result) {
   if (!options.sharpen) return;
-  std::vector<Edge> edges;
-  for (const Edge& edge : edges_of(result.varied)) {
+  std::vector<SamplePair> edges;
+  for (const SamplePair& edge : edges_of(result.varied)) {
     if (result.samples[edge.first].found != result.samples[edge.second].found) {
       edges.push_back(edge);
     }
   }
   std::vector<std::vector<SweepBorder>> found(edges.size());
-  run.on_all(edges.size(), [&](std::size_t k) {
+  const auto find = [&](std::size_t k) {
     const SweepSample& a = result.samples[edges[k].first];
     const SweepSample& b = result.samples[edges[k].second];
     const Varied& along = result.varied[edges[k].along];
@@ -173,7 +214,35 @@ void sharpen_borders(Sweep& run, const SweepOptions& options, SweepResult& resul
                              ? kBorder * std::abs(along.to - along.from)
                              : kMapBorder * std::abs(b.at[edges[k].along] - a.at[edges[k].along]);
     run.sharpen(a, b, edges[k].along, width, found[k]);
-  });
+  };
+  const Fingerprint list = run.observed().list_of_borders(result.samples, edges);
+  Observations* const observations = run.observed().observations();
+  const auto known =
+      observations != nullptr ? observations->recall(list) : std::map<std::uint64_t, std::string>();
+  const auto take = [&](std::size_t k, std::string_view outcome) {
+    found[k] = borders_of(outcome);
+  };
+  const auto keep = [&](std::size_t k, const std::string& outcome) {
+    if (observations != nullptr)
+      observations->keep(list, JobOutcome{k, outcome, OutcomeKind::other});
+  };
+  run.do_all({list, edges.size(), [&](std::size_t k) { return known.count(k) > 0; },
+              [&](std::size_t k) {
+                if (const auto outcome = known.find(k); outcome != known.end()) {
+                  take(k, outcome->second);
+                  return outcome->second;
+                }
+                const std::size_t learned = run.learned();
+                find(k);
+                std::string outcome = bytes_of(found[k]);
+                if (run.learned() > learned || run.is_stopped()) return std::string();
+                keep(k, outcome);
+                return outcome;
+              },
+              [&](std::size_t k, std::string_view outcome) {
+                take(k, outcome);
+                keep(k, std::string(outcome));
+              }});
   for (auto& borders : found) {
     result.borders.insert(result.borders.end(), borders.begin(), borders.end());
   }
@@ -231,7 +300,17 @@ SweepResult sweep(const Mechanism& mechanism, const std::vector<Varied>& varied,
     return values;
   };
   for (std::size_t k = 0; k < result.samples.size(); ++k) result.samples[k].at = at(k);
-  run.on_all(result.samples.size(), [&](std::size_t k) { result.samples[k] = run.sample(at(k)); });
+  run.do_all({run.observed().list(), result.samples.size(),
+              [&](std::size_t k) { return run.observed().recall(at(k)).has_value(); },
+              [&](std::size_t k) {
+                const std::size_t learned = run.learned();
+                result.samples[k] = run.sample(at(k));
+                return run.learned() == learned ? bytes_of(result.samples[k]) : std::string();
+              },
+              [&](std::size_t k, std::string_view outcome) {
+                result.samples[k] = sample_of(outcome);
+                run.observed().keep(result.samples[k]);
+              }});
   sharpen_borders(run, options, result);
   result.complete = !stop;
   for (const SweepSample& sample : result.samples) result.complete &= sample.complete;

@@ -114,6 +114,23 @@ TEST(Ranks, AFamilyAndItsTableGiveTheSameBytes) {
   expect_the_same_of_ranks(scene, {"family", "solve", "alone.family", "--table", "t.csv"}, {2, 3});
 }
 
+// Families of blocks are learned during some of the samples; borders are lists of their own.
+TEST(Ranks, ASweepGivesTheSameBytes) {
+  const Scene scene;
+  const std::string file = MOIVRE_SOURCE_DIR "/problems/mechanisms/3-rpr.toml";
+  expect_the_same_of_ranks(scene,
+                           {"sweep", file, "--vary", "leg 1.length=8:24:9", "--vary",
+                            "leg 2.length=8:24:9", "--html", "page.html"},
+                           {2, 3});
+  expect_the_same_of_ranks(scene, {"sweep", file, "--vary", "leg 1.length=8:24:40"}, {2});
+  const Words call{"sweep", file, "--vary", "leg 1.length=8:24:40", "--quiet"};
+  const Outcome apart =
+      run_ranks(scene, 3, together(call, {"--json", "kept.json", "--ledger", "run.db"}));
+  EXPECT_EQ(apart.exit_code, 0) << apart.err;
+  scene.run(together(call, {"--json", "alone.json"}));
+  EXPECT_EQ(timeless(scene.read("kept.json")), timeless(scene.read("alone.json")));
+}
+
 TEST(Ranks, OnlyTheFirstTells) {
   const Scene scene;
   scene.write("f.phc", kCircleAndHyperbola);
