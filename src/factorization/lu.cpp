@@ -79,9 +79,12 @@ bool Lu::factor(std::span<const double> weights) noexcept {
 void Lu::solve(std::span<Complex> b) noexcept {
   for (std::size_t i = 0; i < n_; ++i) b[i] *= row_scale_[i];
   for (std::size_t k = 0; k < n_; ++k) std::swap(b[k], b[pivot_[k]]);
-  for (std::size_t i = 1; i < n_; ++i) {
+  // Columns of the inverse begin with zeros, which come to nothing.
+  std::size_t first = 0;
+  while (first < n_ && b[first] == Complex(0)) ++first;
+  for (std::size_t i = first + 1; i < n_; ++i) {
     Complex sum = b[i];
-    for (std::size_t j = 0; j < i; ++j) sum -= product(a_[i * n_ + j], b[j]);
+    for (std::size_t j = first; j < i; ++j) sum -= product(a_[i * n_ + j], b[j]);
     b[i] = sum;
   }
   for (std::size_t i = n_; i-- > 0;) {
