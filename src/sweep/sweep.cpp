@@ -139,7 +139,11 @@ class Sweep {
     }
     do_together(*shares, stop_, do_mine, [&](const ToldOutcome& told) {
       one([&] {
-        told.bytes.empty() ? void(jobs.solve(told.job)) : jobs.take(told.job, told.bytes);
+        if (told.bytes.empty()) {
+          jobs.solve(told.job);
+        } else {
+          jobs.take(told.job, told.bytes);
+        }
       });
       require_none_refused();
     });
