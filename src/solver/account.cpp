@@ -239,6 +239,23 @@ double radius_of_cluster(const Run& run, const std::vector<std::uint64_t>& group
   return radius;
 }
 
+/// What the certificate has of the point beyond double: nothing where a part of it, smaller than
+/// that, was taken for 0.
+std::vector<Point> beyond_double(const Certificate& proved, const Point& x) {
+  std::vector<Point> finer = proved.finer;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    const bool has_real = proved.midpoint[j].real() == x[j].real();
+    const bool has_imaginary = proved.midpoint[j].imag() == x[j].imag();
+    if ((!has_real && x[j].real() != 0) || (!has_imaginary && x[j].imag() != 0)) return {};
+    for (Point& part : finer) {
+      if (!has_real) part[j].real(0);
+      if (!has_imaginary) part[j].imag(0);
+    }
+  }
+  while (!finer.empty() && finer.back() == Point(x.size())) finer.pop_back();
+  return finer;
+}
+
 }  // namespace
 
 PathCounts& PathCounts::operator+=(const PathCounts& other) {
@@ -262,9 +279,7 @@ Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
   Solution solution;
   solution.path = group.front();
   solution.x = point.x;
-  if (root.certificate && point.x == root.certificate->midpoint) {
-    solution.finer = root.certificate->finer;
-  }
+  if (root.certificate) solution.finer = beyond_double(*root.certificate, point.x);
   solution.real = is_real(root);
   solution.singular = !point.simple;
   solution.multiplicity = group.size();

@@ -46,10 +46,11 @@ TEST(Digits, AreRefusedWhereEquationsAreMoreThanUnknowns) {
   EXPECT_THROW(give_digits(f, 30, result, kGoOn), std::invalid_argument);
 }
 
-/// Newton's method begins at the proofs' midpoints: at 70 itself it knows no way.
+/// Newton's method begins at the proofs' midpoints: at 70 itself it knows no way. Of the last three
+/// seeds a midpoint has an imaginary part that is less than its digits beyond double.
 TEST(Digits, PartRootsThatAreOneInDouble) {
   const System f = read("1\n u^2 - 140*u + 4900 - 7e-36;\n");
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U, 36U, 103U}) {
     SolveOptions options;
     options.seed = seed;
     SolveResult result = solve(f, *make_cvode_tracker(), options);
