@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <tuple>
 
@@ -175,7 +176,9 @@ std::vector<SelfMotion>::iterator told_as(PostureList& list, const SelfMotion& s
     const auto is_there = [&](const Eigen::VectorXd& values) {
       return is_on(list.arm, told, values, kBesideSet);
     };
-    return is_there(set.values) && is_there(set.samples.front()) && is_there(set.samples.back());
+    // A loop's first and last samples are neighbours.
+    return is_there(set.values) && is_there(set.samples.front()) && is_there(set.samples.back()) &&
+           is_there(set.samples[set.samples.size() / 2]);
   });
 }
 
@@ -244,14 +247,19 @@ int weak_directions(const Eigen::VectorXd& sigma, double accuracy) {
   return static_cast<int>((sigma.array() <= accuracy / kReachesFar).count());
 }
 
-/// The largest of the sets through the posture that are told to be open within the accuracy. One
-/// that ends within much less is but a piece.
-int dimension_told(const PostureList& list, const Eigen::VectorXd& values, double accuracy) {
+/// A curve that ends within much less than the accuracy.
+bool is_piece(const SelfMotion& set, double accuracy) {
   constexpr double kMuchLess = 0.1;
+  return has_ends(set) && set.misfit <= kMuchLess * accuracy;
+}
+
+/// The largest of the sets through the posture that are told to be open within the accuracy. What
+/// is but a piece is none.
+int dimension_told(const PostureList& list, const Eigen::VectorXd& values, double accuracy) {
   int largest = 0;
   for (const SelfMotion& set : list.moves) {
-    const bool is_piece = has_ends(set) && set.misfit <= kMuchLess * accuracy;
-    const bool is_more = set.misfit <= accuracy && !is_piece && set.dimension > largest;
+    const bool is_more =
+        set.misfit <= accuracy && !is_piece(set, accuracy) && set.dimension > largest;
     if (is_more && is_on(list.arm, set, values, kOnSet)) largest = set.dimension;
   }
   return largest;
@@ -272,6 +280,24 @@ std::vector<TracedSet> sets_through(const PostureList& list, const Eigen::Vector
   auto traced = trace_set(list.arm, list.pose, values, accuracy, list.seed, list.moves);
   if (traced) sets.push_back(std::move(*traced));
   return sets;
+}
+
+/// A piece may go on within the accuracy, and close: whether that is told must not depend on where
+/// a way along it began.
+void follow_pieces(PostureList& list, double accuracy) {
+  for (std::size_t k = 0; k < std::min(kMostFollowed, list.moves.size()); ++k) {
+    if (!is_piece(list.moves[k], accuracy)) continue;
+    const std::vector<Eigen::VectorXd>& samples = list.moves[k].samples;
+    const Eigen::VectorXd middle = samples[samples.size() / 2];
+    const bool is_told =
+        std::any_of(list.moves.begin(), list.moves.end(), [&](const SelfMotion& told) {
+          return told.closes && told.misfit <= accuracy &&
+                 is_on(list.arm, told, middle, kBesideSet);
+        });
+    if (is_told) continue;
+    auto whole = trace_set(list.arm, list.pose, middle, accuracy, list.seed, list.moves);
+    if (whole && whole->motion.closes) add_open(list, std::move(*whole));
+  }
 }
 
 /// Other curves as the pose and the file have them, next to those that are told.
@@ -388,6 +414,9 @@ void follow_branches(PostureList& list) {
           add_open(list, std::move(set));
         }
       }
+    }
+    for (auto fine = std::rbegin(kFiner); fine != std::rend(kFiner); ++fine) {
+      follow_pieces(list, *fine * widest);
     }
   }
 }

@@ -514,6 +514,24 @@ TEST(PeoplesArmsTest, PathsAlongACurveThatIsBentAreOfIt) {
   }
 }
 
+/// Next to home, joint 2 held: joints 3, 5 and 7 turn along two loops, within a tenth of the
+/// digits, while the others hardly move. Within less the loops are in pieces.
+TEST(PeoplesArmsTest, LoopsAreToldOfWhichPiecesAreWithinLess) {
+  const Arm arm = made_of({"pr2_six_digits", {{"joint_2", 0.3}}, {}});
+  const Eigen::VectorXd own{
+      {5.3578e-06, 4.0841e-06, 3.6022e-06, -7.672e-07, -8.9579e-06, 3.6626e-06}};
+  const std::vector poses{TypedPose{forward_kinematics(arm, own)}};
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const ArmResult result = find_arm_closures(arm, poses, lanes(), one_thread(seed)).front();
+    EXPECT_TRUE(result.complete) << result.message;
+    const auto loops =
+        std::count_if(result.moves.begin(), result.moves.end(),
+                      [](const SelfMotion& set) { return set.dimension == 1 && set.closes; });
+    EXPECT_EQ(loops, 2);
+  }
+}
+
 /// As a file of poses with so many decimals has it.
 TypedPose rounded_pose(const Eigen::Isometry3d& tip, int decimals) {
   const Eigen::Quaterniond turn(tip.linear());
