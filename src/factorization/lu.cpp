@@ -2,7 +2,10 @@
 // LU with row scaling and partial pivoting, and Higham's condition estimate on its factors.
 #include "moivre/factorization/lu.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -26,6 +29,42 @@ void eliminate_row(Complex* row, const Complex* pivot_row, Complex factor, std::
     r[2 * j + 1] -= lr * u[2 * j + 1] + li * u[2 * j];
   }
 }
+
+/// Smaller matrices have few zeros, and to look for them takes as long as they cost.
+constexpr std::size_t kSparseSize = 16;
+/// Of an elimination: a column that is looked up takes so many times as long as the next one.
+constexpr std::size_t kLookedUp = 2;
+constexpr std::size_t kMostLookedUp = 128;
+
+/// The columns behind k in which a pivot row is not zero, where they are so few that passing over
+/// the others pays.
+class FewColumns {
+ public:
+  FewColumns(const Complex* pivot_row, std::size_t k, std::size_t n) noexcept {
+    if (n < kSparseSize) return;
+    const std::size_t most = std::min(kMostLookedUp, (n - k) / kLookedUp);
+    for (std::size_t j = k + 1; j < n; ++j) {
+      if (pivot_row[j] == 0.0) continue;
+      if (count_ == most) return;
+      columns_[count_++] = static_cast<std::uint32_t>(j);
+    }
+    are_few_ = true;
+  }
+
+  explicit operator bool() const noexcept { return are_few_; }
+
+  void eliminate(Complex* row, const Complex* pivot_row, Complex factor) const noexcept {
+    for (std::size_t c = 0; c < count_; ++c) {
+      const std::size_t j = columns_[c];
+      row[j] -= product(factor, pivot_row[j]);
+    }
+  }
+
+ private:
+  std::array<std::uint32_t, kMostLookedUp> columns_;
+  std::size_t count_ = 0;
+  bool are_few_ = false;
+};
 
 }  // namespace
 
@@ -66,11 +105,17 @@ bool Lu::factor(std::span<const double> weights) noexcept {
       return false;
     }
     reciprocal_[k] = reciprocal(a_[k * n_ + k]);
+    const Complex* const pivot_row = &a_[k * n_];
+    const FewColumns few(pivot_row, k, n_);
     for (std::size_t i = k + 1; i < n_; ++i) {
       if (a_[i * n_ + k] == 0.0) continue;
       const Complex l = product(a_[i * n_ + k], reciprocal_[k]);
       a_[i * n_ + k] = l;
-      eliminate_row(&a_[i * n_], &a_[k * n_], l, k + 1, n_);
+      if (few) {
+        few.eliminate(&a_[i * n_], pivot_row, l);
+      } else {
+        eliminate_row(&a_[i * n_], pivot_row, l, k + 1, n_);
+      }
     }
   }
   return true;

@@ -38,6 +38,19 @@ RootNumber<S> times(const RootNumber<S>& x, const RootNumber<S>& y, const S& s) 
           product(x.a_s, y.b) + product(x.a, y.b_s) + product(x.b_s, y.a) + product(x.b, y.a_s)};
 }
 
+/// Of all factors but one; of all where `skip` is none of them.
+template <class S>
+RootNumber<S> product_without(const std::vector<RootNumber<S>>& factors, std::size_t skip,
+                              const S& s) {
+  std::size_t k = skip == 0 ? 1 : 0;
+  if (k >= factors.size()) return {1.0, 0.0};
+  RootNumber<S> rest = factors[k];
+  while (++k < factors.size()) {
+    if (k != skip) rest = times(rest, factors[k], s);
+  }
+  return rest;
+}
+
 /// The blocks that a block needs, with those of mirror images, in their order.
 std::vector<std::size_t> needed_blocks(const Formulation& formulation,
                                        const std::vector<Block>& blocks, std::size_t block) {
@@ -204,10 +217,7 @@ bool PairEquations::linearize(const PairVector& y, const PairVector& base, Linea
       }
       const Complex c = moving->c[term.number];
       for (std::size_t skip = 0; skip <= factors.size(); ++skip) {
-        RootNumber<Complex> rest{1, 0};
-        for (std::size_t i = 0; i < factors.size(); ++i) {
-          if (i != skip) rest = times(rest, factors[i], s);
-        }
+        const RootNumber<Complex> rest = product_without(factors, skip, s);
         const Complex a = product(c, rest.a);
         const Complex b = product(c, rest.b);
         if (skip == factors.size()) {

@@ -103,6 +103,24 @@ TEST(Lu, SolvesWhatEigenSolves) {
   }
 }
 
+TEST(Lu, ZerosOfLargeMatricesChangeNothing) {
+  RandomMatrices random;
+  for (const Eigen::Index n : {16, 40, 150}) {
+    for (const Eigen::Index apart : {1, 5, 9}) {
+      Matrix a = Matrix::Zero(n, n);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        a(i, (i * 7 + 3) % n) = 4.0 + random.number();
+        for (Eigen::Index j = i % apart; j < n; j += apart) a(i, j) += random.number() / 4.0;
+      }
+      const Vector x = random.vector(static_cast<std::size_t>(n));
+      Lu lu = factored(a);
+      EXPECT_LT((solve(lu, a * x) - x).norm(), 1e-10 * x.norm()) << n << ' ' << apart;
+      const Vector last = Vector::Unit(n, n - 1);
+      EXPECT_LT((a * solve(lu, last) - last).norm(), 1e-10) << n << ' ' << apart;
+    }
+  }
+}
+
 TEST(Lu, AdjointSolveIsTheAdjointOfTheSolve) {
   RandomMatrices random;
   for (std::size_t n = 1; n <= kLargest; ++n) {
