@@ -244,7 +244,7 @@ bool PairEquations::linearize(const PairVector& y, const PairVector& base, Linea
   const auto u0 = base.segment(first_u(), own());
   to.value[n - 1] = u0.dot(y.segment(first_u(), own())) - 1.0;
   J.row(n - 1).segment(first_u(), own()) = u0.adjoint();
-  // Derivatives that are not finite make steps that are not: to look at all of them takes as long
+  // Derivatives that are not finite make steps that are not. To look at all of them takes as long
   // as to compute them.
   return to.value.allFinite();
 }
