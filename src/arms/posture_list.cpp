@@ -379,6 +379,13 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
   ArmClosure closure = closure_of(list, polished);
   const auto known = [&]() -> std::optional<PostureEntry> {
     if (const auto same = listed(list, closure)) {
+      // Of the two the one that holds the pose as typed is told.
+      ArmClosure& told = list.closures[*same];
+      if (told.within_digits && !closure.within_digits) {
+        closure.multiplicity = told.multiplicity;
+        closure.singular = told.singular;
+        told = closure;
+      }
       return PostureEntry{PostureEntry::Kind::closure, *same, false, 0};
     }
     // A closure may stand on a set that is there within the digits only; a place on the way to one,

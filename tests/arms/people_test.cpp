@@ -532,6 +532,20 @@ TEST(PeoplesArmsTest, LoopsAreToldOfWhichPiecesAreWithinLess) {
   }
 }
 
+/// Nearly stretched a SCARA whose tool is turned by 3.1416 holds its pose as typed in one posture,
+/// and within the digits in a second one, which searches may come to first.
+TEST(PeoplesArmsTest, OfPlacesThatRoundingMergesTheOneAsTypedIsTold) {
+  const Arm arm = made_of({"adept_one_four_digits", {}, {}});
+  const Eigen::VectorXd own{{2.7335992829, -0.0001750138, 0.7297126257, -1.3349943805}};
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const ArmResult result =
+        find_arm_closures(arm, forward_kinematics(arm, own), lanes(), one_thread(seed));
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_TRUE(is_told(arm, result, own));
+  }
+}
+
 /// As a file of poses with so many decimals has it.
 TypedPose rounded_pose(const Eigen::Isometry3d& tip, int decimals) {
   const Eigen::Quaterniond turn(tip.linear());
