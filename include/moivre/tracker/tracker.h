@@ -53,9 +53,9 @@ struct PathSegment {
   std::uint64_t path = 0;
   Contour contour = Contour::segment(0, 1);
   Point x;  ///< N coordinates, on the path at contour(0) or near it
-  int tolerance_level =
-      0;            ///< 0: as the options say; each level more tracks with tighter tolerances
-  int samples = 0;  ///< points wanted at s = 1/samples, 2/samples, ..., 1; 0: none
+  /// 0: as the options say; each level more tracks with tighter tolerances.
+  int tolerance_level = 0;
+  int samples = 0;             ///< points wanted at s = 1/samples, 2/samples, ..., 1; 0: none
   Watcher* watcher = nullptr;  ///< not owned; nullptr: nobody watches
   /// The watcher sees the steps that end with |1 - t| no larger than this.
   double watch_radius = std::numeric_limits<double>::infinity();
