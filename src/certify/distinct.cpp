@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sweep over projections, the exact comparison of a pair, and bits for what stays in doubt.
+// The sweep over projections, the exact comparison of a pair, and more bits where it stays in
+// doubt.
 #include "moivre/certify/distinct.h"
 
 #include <algorithm>

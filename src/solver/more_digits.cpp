@@ -96,14 +96,14 @@ void raise_failed_paths(Run& run) {
   run.in_double_double = raise_together(run, paths_failed_by(run, Failure::precision));
 }
 
-void follow_with_care(Run& run) {
+void follow_in_smaller_steps(Run& run) {
   const SolveOptions& options = run.setting.options;
   if (options.tolerance_level >= options.maximum_tolerance_level) return;
   const PathSet paths = paths_in_doubt_but_for(run, run.in_double_double);
   if (paths.empty()) return;
   track_again(run, paths, options.maximum_tolerance_level);
-  if (!run.setting.trackers.fine_lanes)
-    raise_precision(run, paths_failed_by(run, Failure::precision));
+  if (run.setting.trackers.fine_lanes) return;
+  raise_precision(run, paths_failed_by(run, Failure::precision));
 }
 
 void raise_to_double_double(Run& run) {

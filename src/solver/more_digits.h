@@ -22,7 +22,7 @@ void raise_failed_paths(Run& run);
 
 /// By the other tracker where there is one, but for paths that double-double has left without an
 /// end.
-void follow_with_care(Run& run);
+void follow_in_smaller_steps(Run& run);
 
 /// A path may turn out to end where another was thought to: that one is followed next. Each is
 /// once.

@@ -59,7 +59,7 @@ struct Setting {
   /// Who follows all paths at first.
   const Tracker& tracker() const;
   bool falls_back(int tolerance_level) const;
-  /// All paths, by who follows them with that care.
+  /// All paths, by who follows them at that tolerance level.
   PathProblem problem(int tolerance_level) const;
 };
 

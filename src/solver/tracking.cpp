@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ways to follow paths: all, those that wait with more effort, some again with more care, some
-// again with more digits.
+// The ways to follow paths: all, those that wait with more effort, some again in smaller steps or
+// with more digits.
 #include "tracking.h"
 
 #include <algorithm>

@@ -18,7 +18,7 @@ void track_all(Run& run);
 /// Follows on what waits, from where each stands, else from its start, and reports the progress.
 void track_waiting(Run& run, Effort effort);
 
-/// Follows these with that care: by the fallback, where there is one.
+/// Follows these at that tolerance level: by the fallback, where there is one.
 void track_again(Run& run, const PathSet& paths, int tolerance_level);
 
 /// Which ends in double-double are verdicts? Without circles none but regular ones are found.

@@ -28,7 +28,7 @@ constexpr double kProjectionFailureEta = 0.25;
 constexpr int kMaximumFailuresInStep = 20;
 // Samples go into Cauchy's integral, so they are corrected as far as double allows.
 constexpr double kSampleTolerance = 1e-14;
-// Each level of care divides the tolerance and the trust in Newton by so much; a step that Newton
+// Each tolerance level divides the tolerance and the trust in Newton by so much; a step that Newton
 // refuses the tolerance alone, until so many steps are accepted behind it.
 constexpr double kToleranceFactor = 10;
 constexpr int kCarefulSteps = 5;

@@ -38,7 +38,7 @@ constexpr double kLeastStep = 4;
 constexpr double kPolishContraction = 0.25;
 constexpr double kFarthestStart = 0.1;
 constexpr int kMaximumRounds = 4;
-// Each level of care divides the tolerance by so much.
+// Each tolerance level divides the tolerance by so much.
 constexpr double kToleranceFactor = 10;
 // The largest ratio that a step is sized by, so that no division overflows.
 constexpr double kAmpleRoom = 1e6;

@@ -32,7 +32,7 @@ TEST(Remedies, PathsWithoutDigitsGoOnTogetherInDoubleDoubleBeforeOneIsFollowedWi
   const SolveResult result = solve(near_pairs(24), *make_lane_tracker(), options);
   EXPECT_EQ(result.completeness, RootCompleteness::proved);
   EXPECT_EQ(certified_roots(result), 5U);
-  // With care first it is 2.9 million steps, and ten times the processor time.
+  // With smaller steps first it is 2.9 million steps, and ten times the processor time.
   EXPECT_LT(result.work.accepted, 2'200'000U);
 }
 

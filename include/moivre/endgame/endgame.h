@@ -127,8 +127,8 @@ class Endgame : public Watcher {
   Point end_of_turn() const { return outside(frame_, turn_end_); }
   /// All but end(), which a path that waits needs to go on elsewhere, as exact bytes.
   std::string bytes_of_waiting() const;
-  /// As the one that wrote these bytes, of the same options, chart, path and care. Throws
-  /// std::invalid_argument where they are no such bytes.
+  /// As the one that wrote these bytes, of the same options, chart, path and tolerance level.
+  /// Throws std::invalid_argument where they are no such bytes.
   void wait_as(std::string_view bytes, PathEnd end);
   /// Alone.
   PathSegment go_on();

@@ -48,10 +48,9 @@ std::vector<MemberRoots> follow_members(const Family& family, std::span<const Po
                                         const Tracker& tracker, const SolveOptions& options = {},
                                         const std::atomic<bool>& stop = std::atomic<bool>{false});
 
-/// One entry for each member, in their order. Of the options only seed, threads, care, certify,
-/// fallback, observations and progress are used;
-/// progress counts members. Throws as solve_member(). A set `stop` leaves members that are not
-/// complete.
+/// One entry for each member, in their order. Of the options only seed, threads,
+/// tolerance_level, certify, fallback, observations and progress are used; progress counts members.
+/// Throws as solve_member(). A set `stop` leaves members that are not complete.
 std::vector<MemberRoots> solve_members(const Family& family, std::span<const Point> members,
                                        const Tracker& tracker, const SolveOptions& options = {},
                                        const std::atomic<bool>& stop = std::atomic<bool>{false});
