@@ -162,26 +162,30 @@ bool meet_together(const std::vector<Complex>& z, const Complex& common, int m,
   return true;
 }
 
-std::vector<double> valuations(const std::vector<Point>& samples, std::size_t homogenizing, int m) {
+std::vector<int> turns_around_zero(const std::vector<Point>& samples) {
   // Of the polygon of samples: its edges that cross the positive half of the real axis, by
   // direction.
-  const auto turns_of = [&](std::size_t j) {
-    int turns = 0;
-    Complex before = samples.back()[j];
-    for (const Point& sample : samples) {
-      const Complex z = sample[j];
-      const double area = before.real() * z.imag() - before.imag() * z.real();
-      if (before.imag() <= 0 && z.imag() > 0 && area > 0) ++turns;
-      if (before.imag() > 0 && z.imag() <= 0 && area < 0) --turns;
-      before = z;
+  std::vector<int> turns(samples.front().size());
+  const Point* before = &samples.back();
+  for (const Point& sample : samples) {
+    for (std::size_t j = 0; j < turns.size(); ++j) {
+      const Complex a = (*before)[j];
+      const Complex b = sample[j];
+      const double area = a.real() * b.imag() - a.imag() * b.real();
+      if (a.imag() <= 0 && b.imag() > 0 && area > 0) ++turns[j];
+      if (a.imag() > 0 && b.imag() <= 0 && area < 0) --turns[j];
     }
-    return turns;
-  };
-  const int homogenizing_turns = turns_of(homogenizing);
+    before = &sample;
+  }
+  return turns;
+}
+
+std::vector<double> valuations(const std::vector<Point>& samples, std::size_t homogenizing, int m) {
+  const std::vector<int> turns = turns_around_zero(samples);
   std::vector<double> result;
-  for (std::size_t j = 0; j < samples.front().size(); ++j) {
+  for (std::size_t j = 0; j < turns.size(); ++j) {
     if (j != homogenizing) {
-      result.push_back(static_cast<double>(turns_of(j) - homogenizing_turns) / m);
+      result.push_back(static_cast<double>(turns[j] - turns[homogenizing]) / m);
     }
   }
   return result;

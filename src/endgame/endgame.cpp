@@ -367,6 +367,17 @@ Point Endgame::laurent_coefficient(int j) const {
   return c;
 }
 
+// Where the path leaves the patch inside the circle its coordinates have poles there: as many fewer
+// in the patch x_j = 1 as x_j turns the other way around 0.
+void Endgame::leave_poles() {
+  const std::vector<int> turns = turns_around_zero(samples_);
+  const auto fewest = std::min_element(turns.begin(), turns.end());
+  if (*fewest >= 0) return;
+  patch_.assign(patch_.size(), 0);
+  patch_[static_cast<std::size_t>(fewest - turns.begin())] = 1;
+  for (Point& sample : samples_) sample = normalized(std::move(sample));
+}
+
 std::vector<Complex> Endgame::samples_of_x0() const {
   std::vector<Complex> x0;
   for (const Point& sample : samples_) x0.push_back(chart_.x0(sample));
@@ -466,6 +477,7 @@ double Endgame::truncation() const {
 }
 
 std::optional<PathSegment> Endgame::estimate_end(PathSystem& path) {
+  leave_poles();
   const std::vector<Complex> x0 = samples_of_x0();
   const bool is_beyond = ends_beyond(x0);
   if (is_beyond || vanish_together(x0, turns_, options_.ends)) {

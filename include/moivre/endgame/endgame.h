@@ -177,6 +177,7 @@ class Endgame : public Watcher {
   std::optional<PathSegment> conclude(PathSystem& path);
   std::optional<PathSegment> estimate_end(PathSystem& path);
   Point laurent_coefficient(int j) const;
+  void leave_poles();
   double truncation() const;
   double landing_condition() const;
   std::optional<PathSegment> land();
