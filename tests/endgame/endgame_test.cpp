@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "moivre/polynomial/read.h"
@@ -93,13 +94,25 @@ class Paths {
   /// Circles of one turn about (shift : 1 : x_0), the shift another for each radius, whose samples
   /// have a ripple.
   PathEnd end_of_circles(double x0, const std::vector<double>& shifts, double ripple) const {
+    return end_of_circles([&](std::size_t circle, double turn) {
+             const double angle = 2 * std::numbers::pi * kRippleOrder * turn;
+             const double shift = shifts[std::min(circle, shifts.size() - 1)];
+             return Point{shift + std::polar(ripple, angle), 1, x0};
+           })
+        .end;
+  }
+
+  struct Circles {
+    PathEnd end;
+    std::size_t count = 0;
+  };
+
+  /// Circles of one turn, each a quarter as wide as the one before, made of the points of each at a
+  /// share of its turn.
+  Circles end_of_circles(const std::function<Point(std::size_t, double)>& point) const {
     PathSystem scratch(homotopy_);
     Endgame endgame({}, homotopy_.chart(), 0, 0);
     endgame.depart(start_point(start_, 0));
-    const auto point = [&](std::size_t circle, double turn) {
-      const double angle = 2 * std::numbers::pi * kRippleOrder * turn;
-      return Point{shifts[std::min(circle, shifts.size() - 1)] + std::polar(ripple, angle), 1, x0};
-    };
     StepRecord step;
     const Point first = point(0, 0);
     step.t = PathTime(1 - kOutpost, kOutpost);
@@ -119,7 +132,7 @@ class Paths {
       if (next->samples > 0) ++circle;
       reached.x = point(circle, 0);
     }
-    return endgame.end();
+    return {endgame.end(), circle};
   }
 
   std::vector<Followed> follow_all() const {
@@ -387,6 +400,18 @@ TEST(Endgame, EndWhoseAccuracyDoesNotTellItFromInfinityHasFailedForPrecision) {
   EXPECT_EQ(end(1e-3).status, PathStatus::finite);
   // x_0 may be 0, but nothing was seen of a direction that would tell.
   EXPECT_EQ(end(1e-10).status, PathStatus::failed);
+}
+
+// The patch of (10 : 1 : 1), from where the path comes, has (-1/5 : 1 : 1) at infinity.
+TEST(Endgame, APathThatLeavesItsPatchInsideTheCircleNeedsNoSmallerOne) {
+  const Paths parabolas("2\n x^2 + 1 - y;\n x^2 + x + 2 - y;\n", 1);
+  const auto circles = parabolas.end_of_circles([](std::size_t circle, double turn) {
+    const double radius = 10 * std::pow(EndParameters{}.shrink, -static_cast<double>(circle));
+    return Point{std::polar(radius, 2 * std::numbers::pi * turn), 1, 1};
+  });
+  EXPECT_EQ(circles.end.status, PathStatus::finite);
+  EXPECT_EQ(circles.count, 2);
+  EXPECT_LT(std::abs(circles.end.x[0]), kRegularAccuracy * std::abs(circles.end.x[1]));
 }
 
 TEST(Endgame, EveryVerdictHasItsName) {
