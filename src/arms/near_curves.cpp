@@ -96,17 +96,26 @@ std::vector<SetPlace> circle_around(const Arm& arm, const Eigen::Isometry3d& pos
 }  // namespace
 
 std::vector<Eigen::VectorXd> near_curves(const Arm& arm, const Eigen::Isometry3d& pose,
+                                         const SetPlace& place, double accuracy) {
+  std::vector<Eigen::VectorXd> starts;
+  if (second_least(place) > kHardlyMoves) return starts;
+  const std::vector<SetPlace> circle = circle_around(arm, pose, place, accuracy);
+  const std::size_t count = circle.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool is_least = circle[k].residual <= circle[(k + count - 1) % count].residual &&
+                          circle[k].residual < circle[(k + 1) % count].residual;
+    if (is_least) starts.push_back(circle[k].values);
+  }
+  return starts;
+}
+
+std::vector<Eigen::VectorXd> near_curves(const Arm& arm, const Eigen::Isometry3d& pose,
                                          const std::vector<Eigen::VectorXd>& samples,
                                          double accuracy) {
   std::vector<Eigen::VectorXd> starts;
   for (const SetPlace& crossing : crossings(arm, pose, samples, accuracy)) {
-    const std::vector<SetPlace> circle = circle_around(arm, pose, crossing, accuracy);
-    const std::size_t count = circle.size();
-    for (std::size_t k = 0; k < count; ++k) {
-      const bool is_least = circle[k].residual <= circle[(k + count - 1) % count].residual &&
-                            circle[k].residual < circle[(k + 1) % count].residual;
-      if (is_least) starts.push_back(circle[k].values);
-    }
+    const auto around = near_curves(arm, pose, crossing, accuracy);
+    starts.insert(starts.end(), around.begin(), around.end());
   }
   return starts;
 }

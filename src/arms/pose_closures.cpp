@@ -137,7 +137,7 @@ PoseSearch begin_search(const PreparedArm& prepared, const TypedPose& at, const 
   result.complete = prepared.is_complete;
   result.accuracy = std::max(kReach, at.accuracy * std::max(1.0, 1 / arm.length));
   take_account(prepared, tracker, result);
-  PostureList list{arm, at.pose, result.accuracy, prepared.seed, {}, {}, {}, {}, {}};
+  PostureList list{arm, at.pose, result.accuracy, prepared.seed, {}, {}, {}, {}, {}, {}};
   return {prepared, std::move(list), std::move(result),
           std::vector<PathsSeen>(prepared.beginnings.size())};
 }
@@ -163,6 +163,29 @@ void enter_ends(PoseSearch& pose, std::size_t k, const KnownOfPose& known, const
     result.complete = result.complete && starts.complete;
   }
   result.counts.complex += beginning.six.own.size() == kSixJoints ? beginning.regular.far : 0;
+}
+
+/// Where paths meet they stop before what they lead to, and may all be read as one of several.
+/// The formula knows nothing of paths: what it proposes is another beginning. Of a double root
+/// rounding makes two real ones, or a pair.
+void enter_proposed(const ArmBeginning& beginning, PostureList& list) {
+  if (!beginning.formula) return;
+  const ProposedClosures proposed = proposed_closures(*beginning.formula, list.pose);
+  const auto take = [&](const Eigen::VectorXd& six) {
+    if (!six.allFinite()) return;
+    const Eigen::VectorXd start = own_values(beginning.six, six);
+    enter(list, start, false);
+    follow_crossing(list, start);
+  };
+  for (std::size_t k = 0; k < proposed.reals; ++k) take(proposed.real[k]);
+  for (std::size_t k = 0; k < proposed.pair_count; ++k) take(proposed.pairs[k].real());
+}
+
+/// Where paths ended, and where the formula leads.
+void follow_crossings(PoseSearch& pose, std::size_t k) {
+  const std::vector<SingularEnd>& ends = pose.seen[k].singular;
+  if (!ends.empty()) enter_proposed(pose.prepared.beginnings[k], pose.list);
+  for (const SingularEnd& end : ends) follow_crossing(pose.list, end.values);
 }
 
 bool has_none(const PostureList& list) { return list.closures.empty() && list.moves.empty(); }
@@ -242,6 +265,7 @@ ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at, const Kn
     if (!pose.are_all_simple) enter_ends(pose, k, known, tracker, stop);
   }
   follow_branches(pose.list);
+  for (std::size_t k = 0; k < prepared.beginnings.size(); ++k) follow_crossings(pose, k);
   search(pose.list, pose.result, searches_for(pose, as_witness));
   explain(pose);
   return finished(std::move(pose));

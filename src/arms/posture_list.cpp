@@ -137,13 +137,16 @@ std::optional<std::size_t> set_of(const PostureList& list, const Eigen::VectorXd
   return std::nullopt;
 }
 
-/// Whether double tells a posture from those along the joints' weakest motion.
-bool stands_alone(const PostureList& list, const Polished& posture) {
-  constexpr double kAway = 1e-2;
+/// Whether double tells a posture from those along the joints' weakest motion: they miss the pose
+/// by clearly more. Where the digits leave a set open one closure more leads to others.
+bool stands_alone(const PostureList& list, const SelfMotion& set, const Polished& posture) {
+  constexpr double kAway = 1e-2, kClearlyMore = 2;
+  const double missed =
+      set.misfit <= kReach ? std::max(kLeastError, kClearlyMore * posture.residual) : kLeastError;
   const SetPlace place = place_at(list.arm, list.pose, posture.values);
   const Eigen::VectorXd way = posture.least_moving;
-  return !moved(list.arm, list.pose, place, way, kAway, kLeastError) &&
-         !moved(list.arm, list.pose, place, -way, kAway, kLeastError);
+  return !moved(list.arm, list.pose, place, way, kAway, missed) &&
+         !moved(list.arm, list.pose, place, -way, kAway, missed);
 }
 
 /// The closures that are on a set within the digits.
@@ -353,6 +356,20 @@ PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far)
   return entry;
 }
 
+void follow_crossing(PostureList& list, const Eigen::VectorXd& start) {
+  constexpr double kSameCrossing = 0.1;
+  const Eigen::VectorXd values = polish(list.arm, list.pose, start).values;
+  const bool is_known = std::any_of(
+      list.crossings.begin(), list.crossings.end(),
+      [&](const Eigen::VectorXd& one) { return are_near(list.arm, one, values, kSameCrossing); });
+  if (is_known) return;
+  const SetPlace place = place_at(list.arm, list.pose, values);
+  for (const Eigen::VectorXd& near : near_curves(list.arm, list.pose, place, list.accuracy)) {
+    enter(list, near, false);
+  }
+  list.crossings.push_back(values);
+}
+
 void enter_meeting(PostureList& list, const Eigen::VectorXd& place) {
   ArmClosure closure = closure_of(list, polish(list.arm, list.pose, place));
   closure.multiplicity = 2;
@@ -394,7 +411,7 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
     if (!set) set = set_of(list, closure.values, is_any);
     if (!set) return std::nullopt;
     const bool is_closure = !stands_exactly(list.moves[*set]) && !closure.within_digits &&
-                            is_at_rest(closure) && stands_alone(list, polished);
+                            is_at_rest(closure) && stands_alone(list, list.moves[*set], polished);
     if (is_closure) return std::nullopt;
     return PostureEntry{PostureEntry::Kind::on_set, *set, false, 0};
   };

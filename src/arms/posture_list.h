@@ -36,6 +36,8 @@ struct PostureList {
   std::vector<Eigen::VectorXd> places;
   /// Sets that were looked for, whether there was one or not.
   std::vector<FollowedFrom> followed;
+  /// Places where sets may cross, and curves were looked for.
+  std::vector<Eigen::VectorXd> crossings;
   /// Not from closures that such a set has led to: they are on it, and a surface has a curve
   /// through each.
   bool follows_digits = true;
@@ -67,6 +69,10 @@ PostureEntry enter(PostureList& list, const Polished& polished);
 /// lets places drift aside from a set that is open within much less, and hides it in a region.
 /// Before these, exact curves that come near to those that are told.
 void follow_branches(PostureList& list);
+
+/// Where a start leads to a place at which sets may cross, the tip moves so little along two
+/// directions: all curves that pass there. Newton's method comes to one of them.
+void follow_crossing(PostureList& list, const Eigen::VectorXd& start);
 
 /// The place between two closures that are not real by so little that the pose is held within its
 /// accuracy: a closure, where both meet.

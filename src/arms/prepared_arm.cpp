@@ -63,8 +63,9 @@ PreparedArm prepare(const Arm& arm, const Tracker& tracker, const SolveOptions& 
   }
   for (std::uint64_t k = 0; k < tries && !stop; ++k) {
     const Eigen::VectorXd held = random_joint_values(arm, options.seed, kBehindOthers + 1 + k);
-    ArmBeginning beginning{six_joints(arm, idle, held, options.seed), {}};
+    ArmBeginning beginning{six_joints(arm, idle, held, options.seed), {}, {}};
     beginning.regular = find_regular_pose(beginning.six.arm, tracker, options, stop);
+    beginning.formula = group_formula(beginning.six.arm, beginning.regular.cut);
     prepared.is_complete = prepared.is_complete && beginning.regular.complete;
     prepared.beginnings.push_back(std::move(beginning));
   }

@@ -9,8 +9,10 @@
 
 #include <atomic>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "group_formula.h"
 #include "regular_pose.h"
 #include "six_joints.h"
 
@@ -22,6 +24,7 @@ inline constexpr std::size_t kSixJoints = 6;
 struct ArmBeginning {
   SixJoints six;
   RegularPose regular;
+  std::optional<GroupFormula> formula;  ///< where the cut is at a wrist or parallel axes
 };
 
 struct PreparedArm {

@@ -615,6 +615,46 @@ TEST(PeoplesArmsTest, CurvesThatNearlyMeetAreAllTold) {
   }
 }
 
+/// The elbow is stretched and the wrist straight but for 1e-6: two turns have one sum along each of
+/// two loops, the wrist turned over. Curves that hold the pose to 1e-12 and end cross both, and all
+/// paths may stop at one of these.
+TEST(PeoplesArmsTest, CurvesThatCrossPiecesAreAllTold) {
+  const Arm arm = made_of({"sia20_all_digits", {{"joint_2", 0.3}}, {}});
+  constexpr double kHalf = std::numbers::pi;
+  const Eigen::VectorXd own{
+      {-kHalf / 2 + 1e-9, kHalf / 2 + 1e-3, 0, kHalf / 2 + 1e-7, kHalf + 1e-6, kHalf}};
+  Eigen::VectorXd turned_over = own;
+  turned_over[3] += kHalf;
+  turned_over[4] = -own[4];
+  turned_over[5] += kHalf;
+  const std::vector poses{TypedPose{forward_kinematics(arm, own)}};
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const ArmResult result = find_arm_closures(arm, poses, lanes(), one_thread(seed)).front();
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_TRUE(is_told(arm, result, own));
+    EXPECT_TRUE(is_told(arm, result, turned_over));
+    const auto loops = std::count_if(result.moves.begin(), result.moves.end(),
+                                     [](const SelfMotion& set) { return set.closes; });
+    EXPECT_EQ(loops, 2);
+    EXPECT_TRUE(result.closures.empty()) << "places of the pieces";
+  }
+}
+
+/// As before, shoulder and wrist. Only what the formula proposes leads to where its loop crosses.
+TEST(PeoplesArmsTest, WhereNoPathComesNearTheFormulaLeads) {
+  const Arm arm = made_of({"iiwa14_all_digits", {{"joint_6", 0.3}}, {}});
+  constexpr double kHalf = std::numbers::pi;
+  const Eigen::VectorXd own{{kHalf, kHalf, -0.4058885539, 1e-6, -0.1160295988, -0.1188287285}};
+  const std::vector poses{TypedPose{forward_kinematics(arm, own)}};
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE(seed);
+    const ArmResult result = find_arm_closures(arm, poses, lanes(), one_thread(seed)).front();
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_TRUE(is_told(arm, result, own));
+  }
+}
+
 /// The upper arm and the forearm are as long: folded, joint 2 turns the arm while joint 5 keeps the
 /// tool, and where that makes the wrist straight joints 4 and 6 move, too. Random searches come to
 /// the second kind of curve by luck.
