@@ -56,8 +56,8 @@ bool end_beyond(double bound, const std::vector<Complex>& z, int m);
 bool meet_together(const std::vector<Complex>& z, const Complex& common, int m,
                    const EndParameters& ends);
 
-/// How often each coordinate turns around 0 on the m turns: as often more as it has zeros inside the
-/// circle than poles. Coordinates that are 0 have no meaning here.
+/// How often each coordinate turns around 0 on the m turns: so many more zeros than poles it has
+/// inside the circle. Coordinates that are 0 have no meaning here.
 std::vector<int> turns_around_zero(const std::vector<Point>& samples);
 
 /// Exact leading exponents: how often x_j / x_0 turns around 0 on the m turns, over m, for the
