@@ -3,12 +3,12 @@
 #include "polish.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <cmath>
 #include <optional>
 
 #include "least_motion.h"
 #include "moivre/factorization/svd.h"
+#include "six_equations.h"
 
 namespace moivre {
 namespace {
@@ -31,19 +31,24 @@ JointVector<double> not_too_long(JointVector<double> step) {
 /// Newton's own step, where the screws are six and clearly independent.
 std::optional<JointVector<double>> plain_step(const Linearized& at) {
   constexpr double kIndependent = 1e-6;
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
   if (at.screws.cols() != 6) return std::nullopt;
-  const Eigen::PartialPivLU<Matrix6> lu(Matrix6(at.screws));
-  const auto pivots = lu.matrixLU().diagonal().cwiseAbs();
-  if (!(pivots.minCoeff() > kIndependent * pivots.maxCoeff())) return std::nullopt;
-  const Velocity6<double> step = lu.solve(at.error);
-  return not_too_long(step);
+  const SixSolved solved = solve_six(at.screws, at.error);
+  if (!(solved.least > kIndependent * solved.largest)) return std::nullopt;
+  return not_too_long(solved.x);
 }
 
 /// Least squares by the normal equations, where squares leave enough digits for a step.
 std::optional<JointVector<double>> normal_step(const Linearized& at, double damping) {
   constexpr double kIndependent = 1e-8;
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostJoints, kMostJoints>;
+  if (at.screws.cols() == 6) {
+    const Matrix6d screws = at.screws;
+    Matrix6d gram = gram_of(screws);
+    gram.diagonal().array() += damping;
+    const SixSolved solved = solve_symmetric_six(gram, screws.transpose() * at.error);
+    if (!(solved.least > kIndependent * solved.largest)) return std::nullopt;
+    return not_too_long(solved.x);
+  }
   Square gram = at.screws.transpose() * at.screws;
   gram.diagonal().array() += damping;
   const Eigen::LDLT<Square> ldlt(gram);
@@ -83,16 +88,17 @@ bool contracts(const Linearized& at, const JointVector<double>& step, double dam
 
 Linearized linearized(const Arm& arm, const Eigen::Isometry3d& pose,
                       const JointVector<double>& values) {
+  constexpr double kSmall = 1e-5;
   const TipMotion<double> motion = tip_motion<double>(arm, values);
   Linearized at;
   at.screws = motion.screws;
   const Eigen::Quaterniond turn(Eigen::Matrix3d(pose.linear() * motion.tip.R.transpose()));
   const double sign = turn.w() < 0 ? -1 : 1;
   const double sine = turn.vec().norm();
-  const double angle = 2 * std::atan2(sine, std::abs(turn.w()));
-  const Eigen::Vector3d axis =
-      sine > 0 ? Eigen::Vector3d(sign * turn.vec() / sine) : Eigen::Vector3d::Zero();
-  at.error << (pose.translation() - motion.tip.p) / arm.length, angle * axis;
+  // 2 arcsin(s) / s = 2 + s^2 / 3 + ...
+  const double factor =
+      sine < kSmall ? 2 + sine * sine / 3 : 2 * std::atan2(sine, std::abs(turn.w())) / sine;
+  at.error << (pose.translation() - motion.tip.p) / arm.length, sign * factor * turn.vec();
   return at;
 }
 

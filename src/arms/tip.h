@@ -82,10 +82,13 @@ inline void turn(Eigen::Matrix3d& R, const Eigen::Vector3d& axis, double angle) 
     if (std::abs(axis[k]) != 1) continue;
     const double s = axis[k] * std::sin(angle);
     const double c = std::cos(angle);
-    const Eigen::Index i = (k + 1) % 3, j = (k + 2) % 3;
-    const Eigen::Vector3d before = R.col(i);
-    R.col(i) = c * before + s * R.col(j);
-    R.col(j) = c * R.col(j) - s * before;
+    double* const x = R.data() + 3 * ((k + 1) % 3);
+    double* const y = R.data() + 3 * ((k + 2) % 3);
+    for (int i = 0; i < 3; ++i) {
+      const double before = x[i];
+      x[i] = c * before + s * y[i];
+      y[i] = c * y[i] - s * before;
+    }
     return;
   }
   turn<double>(R, axis, angle);
@@ -131,6 +134,9 @@ TipMotion<S> tip_motion(const Arm& arm, const JointVector<S>& q) {
   }
   return motion;
 }
+
+template <>
+TipMotion<double> tip_motion<double>(const Arm& arm, const JointVector<double>& q);
 
 /// From `from` to `to`, to first order: translation beside the arm's length, rotation.
 template <class S>

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// Elimination by rows that have the right side behind them.
+#include "six_equations.h"
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace moivre {
+namespace {
+
+constexpr std::size_t kSize = 6;
+using Row = std::array<double, kSize + 1>;
+using Rows = std::array<Row, kSize>;
+
+Rows rows_of(const Matrix6d& A, const Velocity6<double>& b) {
+  Rows rows;
+  for (std::size_t i = 0; i < kSize; ++i) {
+    for (std::size_t k = 0; k < kSize; ++k) rows[i][k] = A.data()[kSize * k + i];
+    rows[i][kSize] = b.data()[i];
+  }
+  return rows;
+}
+
+/// Whether the pivot is not 0; then the rows below have 0 under it.
+bool eliminate(Rows& rows, std::size_t k, SixSolved& solved) {
+  const double size = std::abs(rows[k][k]);
+  solved.least = k == 0 ? size : std::min(solved.least, size);
+  solved.largest = std::max(solved.largest, size);
+  if (!(size > 0)) {
+    solved.least = 0;
+    return false;
+  }
+  const double share = 1 / rows[k][k];
+  for (std::size_t i = k + 1; i < kSize; ++i) {
+    const double factor = rows[i][k] * share;
+    for (std::size_t j = k + 1; j <= kSize; ++j) rows[i][j] -= factor * rows[k][j];
+  }
+  return true;
+}
+
+std::array<double, kSize> back_substituted(const Rows& rows) {
+  std::array<double, kSize> x;
+  for (std::size_t k = kSize; k-- > 0;) {
+    double rest = rows[k][kSize];
+    for (std::size_t j = k + 1; j < kSize; ++j) rest -= rows[k][j] * x[j];
+    x[k] = rest / rows[k][k];
+  }
+  return x;
+}
+
+}  // namespace
+
+SixSolved solve_six(const Matrix6d& A, const Velocity6<double>& b) {
+  Rows rows = rows_of(A, b);
+  SixSolved solved;
+  for (std::size_t k = 0; k < kSize; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < kSize; ++i) {
+      if (std::abs(rows[i][k]) > std::abs(rows[pivot][k])) pivot = i;
+    }
+    if (pivot != k) std::swap(rows[pivot], rows[k]);
+    if (!eliminate(rows, k, solved)) return solved;
+  }
+  const auto x = back_substituted(rows);
+  solved.x = Eigen::Map<const Velocity6<double>>(x.data());
+  return solved;
+}
+
+SixSolved solve_symmetric_six(const Matrix6d& A, const Velocity6<double>& b) {
+  Rows rows = rows_of(A, b);
+  std::array<std::size_t, kSize> place{0, 1, 2, 3, 4, 5};
+  SixSolved solved;
+  for (std::size_t k = 0; k < kSize; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < kSize; ++i) {
+      if (std::abs(rows[i][i]) > std::abs(rows[pivot][pivot])) pivot = i;
+    }
+    if (pivot != k) {
+      std::swap(rows[pivot], rows[k]);
+      for (Row& row : rows) std::swap(row[pivot], row[k]);
+      std::swap(place[pivot], place[k]);
+    }
+    if (!eliminate(rows, k, solved)) return solved;
+  }
+  const auto x = back_substituted(rows);
+  for (std::size_t k = 0; k < kSize; ++k) solved.x[static_cast<Eigen::Index>(place[k])] = x[k];
+  return solved;
+}
+
+Matrix6d gram_of(const Matrix6d& A) {
+  Matrix6d gram;
+  for (Eigen::Index k = 0; k < gram.cols(); ++k) {
+    for (Eigen::Index i = 0; i <= k; ++i) gram(k, i) = gram(i, k) = A.col(i).dot(A.col(k));
+  }
+  return gram;
+}
+
+}  // namespace moivre
