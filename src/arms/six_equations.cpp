@@ -2,6 +2,7 @@
 // Elimination by rows that have the right side behind them.
 #include "six_equations.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
