@@ -13,6 +13,7 @@
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/numeric/threads.h"
+#include "observed_results.h"
 #include "pose_closures.h"
 #include "pose_family.h"
 
@@ -24,6 +25,8 @@ namespace {
 constexpr std::uint64_t kAsWitness = 4, kWitnessed = 8;
 /// Poses from which on a family pays, and those that are followed together, a thread.
 constexpr std::size_t kWorthAFamily = 8, kTogether = 128;
+/// Of poses that are kept or shared: those that are drawn together, a thread, and those of a list.
+constexpr std::size_t kDrawnTogether = 16, kOfAList = 4096;
 
 /// Another pose of a list: nothing was solved for it, its closures came from the regular pose.
 void tell_followed(const PreparedArm& prepared, const KnownOfPose& known, ArmResult& result) {
@@ -90,38 +93,72 @@ class PoseList {
            const SolveOptions& options, const std::atomic<bool>& stop)
       : list_(std::move(list)), poses_(poses), tracker_(tracker), options_(options), stop_(stop) {
     progress_.total = poses.size();
+    list_.prepared.options.observations = nullptr;  // whole results are kept
   }
 
-  std::size_t threads() const {
-    return std::max<std::size_t>(
-        1, std::min(poses_.size(), static_cast<std::size_t>(thread_count(options_.threads))));
+  std::size_t block() const {
+    return options_.observations == nullptr ? kTogether * threads() : kOfAList;
   }
 
   void solve(std::size_t begin, std::size_t count,
              const std::function<void(ArmResult&& result)>& take) {
-    const auto followed = follow(begin, count);
-    std::vector<std::optional<ArmResult>> results(count);
-    std::atomic<std::size_t> next = 0;
-    on_threads(static_cast<int>(std::min(count, threads())), [&] {
-      for (std::size_t k = next++; k < count && !stop_ && !has_thrown_; k = next++) {
-        results[k] = solve_one(begin + k, KnownOfPose{followed[k], by_formula(begin + k)});
-        tell();
-      }
-    });
-    for (std::optional<ArmResult>& result : results) {
+    ResultJobs jobs;
+    jobs.list = list_of(begin, count);
+    jobs.count = count;
+    jobs.together = kDrawnTogether * threads();
+    jobs.pose = [&](std::size_t job) -> const Eigen::Isometry3d& {
+      return poses_[begin + job].pose;
+    };
+    jobs.solve = [&](std::span<const std::size_t> some) { return solve_some(begin, some); };
+    jobs.tell = [&] { tell(); };
+    for (std::optional<ArmResult>& result : observe_results(jobs, tracker_, options_, stop_)) {
       if (result) take(std::move(*result));
     }
   }
 
  private:
-  /// The ends of the block's poses by the family; empty where it does not answer.
-  std::vector<std::vector<ApproachEnd>> follow(std::size_t begin, std::size_t count) const {
-    if (!list_.family) return std::vector<std::vector<ApproachEnd>>(count);
+  std::size_t threads() const {
+    return std::max<std::size_t>(
+        1, std::min(poses_.size(), static_cast<std::size_t>(thread_count(options_.threads))));
+  }
+
+  Fingerprint list_of(std::size_t begin, std::size_t count) const {
+    FingerprintMaker maker;
+    maker.add(std::string_view("poses"));
+    add_to(maker, list_.prepared.arm);
+    add_to(maker, tracker_, options_);
+    maker.add(std::uint64_t{list_.family.has_value()});
+    maker.add(std::uint64_t{begin});
+    for (std::size_t k = 0; k < count; ++k) add_to(maker, poses_[begin + k]);
+    return maker.fingerprint();
+  }
+
+  std::vector<std::optional<ArmResult>> solve_some(std::size_t begin,
+                                                   std::span<const std::size_t> some) {
+    const auto followed = follow(begin, some);
+    std::vector<std::optional<ArmResult>> results(some.size());
+    std::atomic<std::size_t> next = 0;
+    on_threads(static_cast<int>(std::min(some.size(), threads())), [&] {
+      for (std::size_t k = next++; k < some.size() && !stop_ && !has_thrown_; k = next++) {
+        const std::size_t pose = begin + some[k];
+        results[k] = solve_one(pose, KnownOfPose{followed[k], by_formula(pose)});
+        tell();
+      }
+    });
+    return results;
+  }
+
+  /// The ends of these poses by the family; empty where it does not answer.
+  std::vector<std::vector<ApproachEnd>> follow(std::size_t begin,
+                                               std::span<const std::size_t> some) const {
+    if (!list_.family) return std::vector<std::vector<ApproachEnd>>(some.size());
     const ArmBeginning& beginning = list_.prepared.beginnings.front();
     SolveOptions together = list_.prepared.options;
     together.threads = static_cast<int>(threads());
-    return follow_poses(*list_.family, beginning.six.arm, std::span(poses_).subspan(begin, count),
-                        beginning.regular.roots.size(), tracker_, together, stop_);
+    std::vector<TypedPose> poses;
+    for (const std::size_t k : some) poses.push_back(poses_[begin + k]);
+    return follow_poses(*list_.family, beginning.six.arm, poses, beginning.regular.roots.size(),
+                        tracker_, together, stop_);
   }
 
   std::optional<FoundClosures> by_formula(std::size_t pose) const {
@@ -193,7 +230,7 @@ void for_each_pose(const Arm& arm, const std::vector<TypedPose>& given, const Tr
   }
   PoseList list(prepare_list(arm, poses.size(), tracker, options, stop), poses, tracker, options,
                 stop);
-  const std::size_t block = kTogether * list.threads();
+  const std::size_t block = list.block();
   for (std::size_t begin = 0; begin < poses.size() && !stop; begin += block) {
     list.solve(begin, std::min(block, poses.size() - begin), take);
   }

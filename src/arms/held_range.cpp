@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "moivre/numeric/invalid_input.h"
+#include "observed_results.h"
 
 namespace moivre {
 
@@ -45,16 +46,35 @@ std::vector<Arm> arms_along(const Robot& robot, const ArmChoice& choice, const H
 std::vector<ArmResult> find_closures_of_each(const std::vector<Arm>& arms, const TypedPose& pose,
                                              const Tracker& tracker, const SolveOptions& options,
                                              const std::atomic<bool>& stop) {
-  std::vector<ArmResult> results;
   Progress progress;
   progress.total = arms.size();
   SolveOptions of_each = options;
   of_each.progress = nullptr;
-  for (const Arm& arm : arms) {
-    if (stop) break;
-    results.push_back(find_arm_closures(arm, pose, tracker, of_each, stop));
+  of_each.observations = nullptr;  // whole results are kept
+  FingerprintMaker maker;
+  maker.add(std::string_view("arms"));
+  for (const Arm& arm : arms) add_to(maker, arm);
+  add_to(maker, pose);
+  add_to(maker, tracker, options);
+  ResultJobs jobs;
+  jobs.list = maker.fingerprint();
+  jobs.count = arms.size();
+  jobs.pose = [&](std::size_t) -> const Eigen::Isometry3d& { return pose.pose; };
+  jobs.tell = [&] {
     progress.finite = ++progress.done;
     if (options.progress) options.progress(progress);
+  };
+  jobs.solve = [&](std::span<const std::size_t> some) {
+    std::vector<std::optional<ArmResult>> results(some.size());
+    for (std::size_t k = 0; k < some.size() && !stop; ++k) {
+      results[k] = find_arm_closures(arms[some[k]], pose, tracker, of_each, stop);
+      jobs.tell();
+    }
+    return results;
+  };
+  std::vector<ArmResult> results;
+  for (std::optional<ArmResult>& result : observe_results(jobs, tracker, options, stop)) {
+    if (result) results.push_back(std::move(*result));
   }
   return results;
 }

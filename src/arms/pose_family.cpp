@@ -135,8 +135,6 @@ std::vector<std::vector<ApproachEnd>> follow_poses(const PoseFamily& poses, cons
   SolveOptions plain = options;
   plain.certify = false;  // Newton's method on the arm itself judges every closure
   plain.progress = nullptr;
-  plain.observations =
-      nullptr;  // to take these ends from a ledger takes as long as to find them again
   const auto roots = follow_members(poses.family, members, tracker, plain, stop);
   std::vector<std::vector<ApproachEnd>> all(wanted.size());
   for (std::size_t k = 0; k < wanted.size(); ++k) {

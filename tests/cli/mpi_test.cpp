@@ -131,6 +131,47 @@ TEST(Ranks, ASweepGivesTheSameBytes) {
   EXPECT_EQ(timeless(scene.read("kept.json")), timeless(scene.read("alone.json")));
 }
 
+/// Of the Kinova arm; every fifth is out of reach, or nearly.
+void write_poses(const Scene& scene, int count) {
+  std::string poses = "x,y,z,qw,qx,qy,qz\n";
+  for (int k = 0; k < count; ++k) {
+    const std::string place =
+        std::to_string(0.2 + 0.001 * k) + ",0." + std::to_string(k % 5 * 2) + "1,0.4";
+    poses += place + (k % 2 == 0 ? ",0.5,-0.5,0.5,0.5\n" : ",0.1,0.7,-0.1,0.7\n");
+  }
+  scene.write("poses.csv", poses);
+}
+
+const Words kKinova{"closures", MOIVRE_SOURCE_DIR "/problems/robots/kinova_j2s6s200.urdf",
+                    "--tip",    "j2s6s200_end_effector",
+                    "--poses",  "poses.csv"};
+
+TEST(Ranks, PosesOfAnArmGiveTheSameBytes) {
+  const Scene scene;
+  write_poses(scene, 300);
+  for (const char* tracker : {"lanes", "cvode"}) {
+    expect_the_same_of_ranks(scene, together(kKinova, {"--tracker", tracker}), {1, 2, 3});
+  }
+  expect_the_same_of_ranks(
+      scene,
+      {"closures", MOIVRE_SOURCE_DIR "/problems/robots/panda.urdf", "--tip", "panda_hand", "--pose",
+       "0.4 0.1 0.5 0 1 0 0", "--sweep-hold", "panda_joint7=-1:1:7"},
+      {2, 3});
+}
+
+// Rank 1 tells the results of its own poses, a kilobyte or more each.
+TEST(Ranks, ShareThePosesOfAnArm) {
+  const Scene scene;
+  write_poses(scene, 300);
+  ::setenv("MOIVRE_MPI_TRAFFIC", "1", 1);
+  const Outcome outcome =
+      run_ranks(scene, 2, together(kKinova, {"--quiet", "--json", "r.json", "--threads", "1"}));
+  ::unsetenv("MOIVRE_MPI_TRAFFIC");
+  const std::string own = outcome.err.substr(outcome.err.find("rank 1 of 2: "));
+  const std::size_t bytes = own.find("messages of ") + 12;
+  EXPECT_GT(std::stoul(own.substr(bytes)), 20'000) << outcome.err;
+}
+
 TEST(Ranks, OnlyTheFirstTells) {
   const Scene scene;
   scene.write("f.phc", kCircleAndHyperbola);
@@ -181,6 +222,23 @@ TEST(Ranks, AfterTheDeathOfOneTheSameCommandGoesOn) {
     Outcome killed = killed_after(wait);
     while (killed.exit_code == 0 && wait > 0) killed = killed_after(wait /= 2);
     EXPECT_NE(killed.exit_code, 0) << "it ends before any kill";
+    EXPECT_EQ(run_ranks(scene, 2, kept).exit_code, 0);
+    EXPECT_EQ(timeless(scene.read("r.json")), timeless(scene.read("alone.json"))) << victim;
+  }
+}
+
+TEST(Ranks, PosesGoOnAfterTheDeathOfOne) {
+  const Scene scene;
+  write_poses(scene, 4000);
+  scene.run(together(kKinova, {"--quiet", "--json", "alone.json"}));
+  const Words kept = together(kKinova, {"--quiet", "--json", "r.json", "--ledger", "r.db"});
+  for (const std::size_t victim : {0U, 1U, 2U}) {
+    for (const char* file : {"r.db", "r.db-wal", "r.db-shm"}) ::unlink(scene.path(file).c_str());
+    run_ranks(scene, 3, kept, [&](int mpirun) {
+      const std::vector<int> ranks = ranks_of(mpirun, 3);
+      ::usleep(200'000 + 100'000 * static_cast<useconds_t>(victim));
+      if (victim < ranks.size()) ::kill(ranks[victim], SIGKILL);
+    });
     EXPECT_EQ(run_ranks(scene, 2, kept).exit_code, 0);
     EXPECT_EQ(timeless(scene.read("r.json")), timeless(scene.read("alone.json"))) << victim;
   }

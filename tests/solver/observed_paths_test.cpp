@@ -4,50 +4,17 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <atomic>
 #include <limits>
-#include <mutex>
-#include <optional>
 #include <thread>
 
 #include "moivre/numeric/random.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
+#include "observers.h"
 #include "problem_set.h"
 
 namespace moivre::test {
 namespace {
-
-/// Keeps so many outcomes, and no more, as one who is killed does.
-class Memory : public Observations {
- public:
-  std::map<std::uint64_t, std::string> recall(const Fingerprint& list) override {
-    const std::lock_guard lock(mutex_);
-    return lists_[list];
-  }
-  using Observations::keep;
-  void keep(const Fingerprint& list, std::span<const JobOutcome> outcomes) override {
-    const std::lock_guard lock(mutex_);
-    if (kept_ < most) {
-      for (const JobOutcome& outcome : outcomes) lists_[list][outcome.job] = outcome.bytes;
-    }
-    kept_ += outcomes.size();
-  }
-
-  /// How many were told since.
-  std::uint64_t kept() const { return kept_; }
-  void begin_again(std::uint64_t room) {
-    kept_ = 0;
-    most = room;
-  }
-
- private:
-  std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-  std::uint64_t kept_ = 0;
-  std::mutex mutex_;
-  std::map<Fingerprint, std::map<std::uint64_t, std::string>> lists_;
-};
 
 constexpr std::uint64_t kAll = std::numeric_limits<std::uint64_t>::max();
 
@@ -171,77 +138,6 @@ TEST(ObservedPaths, AnEndComesBackToTheLastBit) {
   EXPECT_EQ(again.endgame_start->frame->log2, frame.log2);
   EXPECT_THROW(end_of(bytes_of(end).substr(1)), std::invalid_argument);
 }
-
-/// Some that solve the same in one process, each as if it were a process of its own.
-class Company {
- public:
-  struct List {
-    std::uint64_t next = 0;
-    std::vector<std::optional<std::string>> outcomes;
-  };
-
-  std::mutex mutex;
-  std::map<Fingerprint, List> lists;
-};
-
-class Share : public JobShares {
- public:
-  Share(Company& company, Company::List& list)
-      : company_(company), list_(list), is_known_(list.outcomes.size(), false) {}
-
-  std::optional<std::uint64_t> draw() override {
-    const std::lock_guard lock(company_.mutex);
-    if (list_.next == list_.outcomes.size()) return std::nullopt;
-    ++drawn;
-    return list_.next++;
-  }
-  void tell(std::uint64_t job, std::string outcome) override {
-    const std::lock_guard lock(company_.mutex);
-    list_.outcomes[job] = std::move(outcome);
-    is_known_[job] = true;
-  }
-  std::optional<std::vector<ToldOutcome>> wait(const std::atomic<bool>&) override {
-    while (true) {
-      const std::lock_guard lock(company_.mutex);
-      std::vector<ToldOutcome> told;
-      for (std::uint64_t job = 0; job < is_known_.size(); ++job) {
-        if (is_known_[job] || !list_.outcomes[job]) continue;
-        is_known_[job] = true;
-        told.push_back({job, *list_.outcomes[job]});
-      }
-      if (!told.empty()) return told;
-      if (std::find(is_known_.begin(), is_known_.end(), false) == is_known_.end()) {
-        return std::nullopt;
-      }
-      std::this_thread::yield();
-    }
-  }
-
-  static std::atomic<std::uint64_t> drawn;
-
- private:
-  Company& company_;
-  Company::List& list_;
-  std::vector<bool> is_known_;
-};
-
-std::atomic<std::uint64_t> Share::drawn{0};
-
-class OneOfCompany : public Observations {
- public:
-  explicit OneOfCompany(Company& company) : company_(company) {}
-  std::map<std::uint64_t, std::string> recall(const Fingerprint&) override { return {}; }
-  void keep(const Fingerprint&, std::span<const JobOutcome>) override {}
-  std::unique_ptr<JobShares> share(const Fingerprint& list, std::uint64_t jobs) override {
-    const std::lock_guard lock(company_.mutex);
-    Company::List& shared = company_.lists[list];
-    shared.outcomes.resize(jobs);
-    return std::make_unique<Share>(company_, shared);
-  }
-
- private:
-  Company& company_;
-};
 
 TEST(ObservedPaths, SeveralThatShareTheirPathsComeToWhatOneComesTo) {
   SolveOptions options;

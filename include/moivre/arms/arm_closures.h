@@ -176,8 +176,8 @@ ArmResult find_arm_closures(const Arm& arm, const Eigen::Isometry3d& pose, const
                             const std::atomic<bool>& stop = std::atomic<bool>{false});
 
 /// The same for many poses, whose results are handed on one by one, in their order, as soon as some
-/// hundreds of them are there: what is not kept takes no memory. A set `stop` leaves out the poses
-/// that are not begun.
+/// hundreds of them are there (thousands with `options.observations`): what is not kept takes no
+/// memory. A set `stop` leaves out the poses that are not begun.
 void for_each_pose(const Arm& arm, const std::vector<TypedPose>& poses, const Tracker& tracker,
                    const std::function<void(ArmResult&& result)>& take,
                    const SolveOptions& options = {},
