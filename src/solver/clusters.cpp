@@ -131,15 +131,16 @@ PathGroups clusters_of(const Run& run) {
   return clusters;
 }
 
-/// One for each cluster, on all threads.
+/// One for each cluster, on all threads. Throws Interrupted.
 template <class Find>
-std::vector<Finding> findings_of(Run& run, std::span<const std::vector<std::uint64_t>> clusters,
-                                 Find find) {
+std::vector<Finding> findings_of(const Run& run,
+                                 std::span<const std::vector<std::uint64_t>> clusters, Find find) {
   std::vector<Finding> findings(clusters.size());
   for_each_parallel(clusters.size(), run.setting.threads, [&](std::size_t k) {
+    run.require_time();
     findings[k] = find(run.table.roots().at(clusters[k].front()), clusters[k].size());
   });
-  if (run.setting.stop) run.interrupted = true;
+  run.require_time();  // what a stop cut short is no finding
   return findings;
 }
 
@@ -190,7 +191,6 @@ void part_clusters(Run& run) {
   const auto findings = findings_of(run, clusters, [&](const Root& end, std::size_t paths) {
     return look_into(run, end, paths);
   });
-  if (run.interrupted) return;
   Refiner refiner(run.setting.refiner_program);
   for (std::size_t k = 0; k < clusters.size(); ++k) {
     conclude(run, refiner, clusters[k], findings[k]);
@@ -210,7 +210,6 @@ void part_clusters_in_more_bits(Run& run) {
         finding.is_refuted = finding.roots.size() == paths;
         return finding;
       });
-      if (run.interrupted) return;
       bool has_helped = false;
       for (std::size_t k = 0; k < ahead.size(); ++k) {
         has_helped = conclude(run, refiner, ahead[k], findings[k]) || has_helped;
