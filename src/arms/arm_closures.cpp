@@ -111,8 +111,8 @@ class PoseList {
     };
     jobs.solve = [&](std::span<const std::size_t> some) { return solve_some(begin, some); };
     jobs.tell = [&] { tell(); };
-    for (std::optional<ArmResult>& result : observe_results(jobs, tracker_, options_, stop_)) {
-      if (result) take(std::move(*result));
+    for (ArmResult& result : observe_results(jobs, tracker_, options_, stop_)) {
+      take(std::move(result));
     }
   }
 

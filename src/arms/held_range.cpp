@@ -72,11 +72,7 @@ std::vector<ArmResult> find_closures_of_each(const std::vector<Arm>& arms, const
     }
     return results;
   };
-  std::vector<ArmResult> results;
-  for (std::optional<ArmResult>& result : observe_results(jobs, tracker, options, stop)) {
-    if (result) results.push_back(std::move(*result));
-  }
-  return results;
+  return observe_results(jobs, tracker, options, stop);
 }
 
 }  // namespace moivre

@@ -251,16 +251,24 @@ struct ObservedResults {
   }
 };
 
+/// A result is told by its place: those behind a job that was cut short wait in the ledger.
+std::vector<ArmResult> before_first_gap(std::vector<std::optional<ArmResult>>&& results) {
+  std::vector<ArmResult> first;
+  for (std::optional<ArmResult>& result : results) {
+    if (!result) break;
+    first.push_back(std::move(*result));
+  }
+  return first;
+}
+
 }  // namespace
 
-std::vector<std::optional<ArmResult>> observe_results(const ResultJobs& jobs,
-                                                      const Tracker& tracker,
-                                                      const SolveOptions& options,
-                                                      const std::atomic<bool>& stop) {
+std::vector<ArmResult> observe_results(const ResultJobs& jobs, const Tracker& tracker,
+                                       const SolveOptions& options, const std::atomic<bool>& stop) {
   if (options.observations == nullptr) {
     std::vector<std::size_t> all(jobs.count);
     std::iota(all.begin(), all.end(), std::size_t{0});
-    return jobs.solve(all);
+    return before_first_gap(jobs.solve(all));
   }
   ObservedResults observed{jobs, tracker, options, stop,
                            std::vector<std::optional<ArmResult>>(jobs.count)};
@@ -272,7 +280,7 @@ std::vector<std::optional<ArmResult>> observe_results(const ResultJobs& jobs,
   } else {
     observed.solve_others();
   }
-  return std::move(observed.results);
+  return before_first_gap(std::move(observed.results));
 }
 
 void add_to(FingerprintMaker& maker, const Arm& arm) {

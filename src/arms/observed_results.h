@@ -29,12 +29,10 @@ struct ResultJobs {
   std::function<void()> tell;  ///< another one is there, that was not solved here and now
 };
 
-/// All results, by job, with `options.observations` where there are any; those of jobs that `stop`
-/// cut short are not kept.
-std::vector<std::optional<ArmResult>> observe_results(const ResultJobs& jobs,
-                                                      const Tracker& tracker,
-                                                      const SolveOptions& options,
-                                                      const std::atomic<bool>& stop);
+/// The results in the order of the jobs, with `options.observations` where there are any. A set
+/// `stop` ends them before the first job that it cut short, which is not kept.
+std::vector<ArmResult> observe_results(const ResultJobs& jobs, const Tracker& tracker,
+                                       const SolveOptions& options, const std::atomic<bool>& stop);
 
 /// What results depend on.
 void add_to(FingerprintMaker& maker, const Arm& arm);

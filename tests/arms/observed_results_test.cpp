@@ -103,6 +103,35 @@ TEST(ObservedResults, OfAJointHeldAtManyValuesAreThoseOfOneRun) {
       arms.size());
 }
 
+class AllButOne : public Memory {
+ public:
+  explicit AllButOne(std::uint64_t missing) : missing_(missing) {}
+  std::map<std::uint64_t, std::string> recall(const Fingerprint& list) override {
+    auto known = Memory::recall(list);
+    known.erase(missing_);
+    return known;
+  }
+
+ private:
+  std::uint64_t missing_;
+};
+
+/// A result has the value of its place: the third of five would pass for the second.
+TEST(ObservedResults, EndBeforeTheFirstThatAStopLeavesOut) {
+  constexpr std::uint64_t kMissing = 1;
+  const auto arms = arms_along(robot_of("panda"), {std::nullopt, "panda_hand_tcp", {}},
+                               {"panda_joint7", -0.5, 0.8, 5});
+  const TypedPose pose{forward_kinematics(arms[1], random_values(arms[1], 3, 1))};
+  AllButOne memory(kMissing);
+  SolveOptions options = one_thread(3);
+  options.observations = &memory;
+  const auto all = told_by(find_closures_of_each(arms, pose, lanes(), options));
+  EXPECT_EQ(all.size(), arms.size());
+  const std::atomic<bool> stop{true};
+  const auto first = told_by(find_closures_of_each(arms, pose, lanes(), options, stop));
+  EXPECT_EQ(first, std::vector(all.begin(), all.begin() + kMissing));
+}
+
 TEST(ObservedResults, BytesThatAreCutAreRefused) {
   ArmResult result;
   result.failures.push_back({7, Failure::precision, {0.25, 1.0 / 3}, 2});
