@@ -17,8 +17,10 @@ constexpr std::size_t kNoPlace = static_cast<std::size_t>(-1);
 // Corrections shrink by squares; what shrinks less began too far away.
 constexpr int kPairCorrections = 8;
 constexpr double kPairShrinks = 0.5;
-// Beside |y|: a correction this small leaves an error of its square, below rounding.
-constexpr double kPairConverged = 1e-8;
+// Beside |y|: the next correction, known before it is made, that need not be made.
+constexpr double kPairConverged = 1e-12;
+// Beside |y|: of this size corrections are rounding, and shrink no more.
+constexpr double kPairRounding = 1e-10;
 
 /// a + b e, e^2 = s, with the derivatives of a and b by s.
 template <class S>
@@ -262,10 +264,14 @@ std::optional<PairPoint> PairEquations::corrected(PairVector y, const PairVector
     if (!here.lu.factor()) return std::nullopt;
     const PairVector step = here.solved(std::move(miss));
     const double length = step.norm();
-    if (!std::isfinite(length) || (k > 0 && length > kPairShrinks * last)) return std::nullopt;
+    const bool is_rounding = k > 0 && length <= kPairRounding * y.norm();
+    const bool began_too_far = k > 0 && length > kPairShrinks * last && !is_rounding;
+    if (!std::isfinite(length) || began_too_far) return std::nullopt;
     y += step;
+    const double ratio = k > 0 ? length / last : 1;
     last = length;
-    if (length > kPairConverged * y.norm()) continue;
+    // By quadratic convergence the next one is length * ratio^2.
+    if (length * ratio * ratio > kPairConverged * y.norm() && !is_rounding) continue;
     const PairVector along = made_real(here.solved(PairVector::Unit(size() + 1, size())));
     const double way = before.dot(along).real() < 0 ? -along.norm() : along.norm();
     if (!std::isfinite(way) || way == 0) return std::nullopt;

@@ -417,6 +417,9 @@ TEST(PeoplesMotions, OfAValveGearAndOfASuspensionAreDecidedInFewSteps) {
     EXPECT_EQ(motion.branches.size(), branches) << name;
     EXPECT_LE(motion.checkpoints.size(), checkpoints) << name;
     EXPECT_LE(motion.steps, 1000) << name;
+    for (const LeftOut& step : motion.left_out) {
+      EXPECT_NE(step.what, "a short branch, if there is one") << name << ": " << step.why;
+    }
   }
 }
 
