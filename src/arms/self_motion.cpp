@@ -367,13 +367,21 @@ Cover cover_of(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& be
 
 /// Where closures of the arm are on a surface that is open within an accuracy only Newton's method
 /// tells, from everywhere.
-void trace_surface(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
-                   double accuracy, double step, TracedSet& traced) {
+void trace_surface(const Cover& cover, TracedSet& traced) {
   SelfMotion& motion = traced.motion;
-  const Cover cover = cover_of(arm, pose, begin.place, accuracy, step);
   take(cover.places, motion.samples, motion.misfit);
   traced.is_whole = cover.is_whole;
   if (motion.misfit > kReach) traced.near_closures = motion.samples;
+}
+
+/// The directions in which its places lie: beside a curve along which the tip moves as little
+/// across, walks come back to it, and all places are on a line.
+MatrixXd directions_of(const Arm& arm, const Cover& cover) {
+  std::vector<VectorXd> ways;
+  for (std::size_t k = 1; k < cover.places.size(); ++k) {
+    ways.push_back(in_arms_lengths(arm, cover.places[k].values - cover.places.front().values));
+  }
+  return ways.empty() ? MatrixXd() : span_of(ways);
 }
 
 double reach_of(const Arm& arm, const std::vector<VectorXd>& samples) {
@@ -430,6 +438,12 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
     const bool is_surface = begin->ways.cols() > 1;
     if (is_surface && is_told_there(arm, told, *begin, accuracy)) return std::nullopt;
   }
+  std::optional<Cover> cover;
+  if (begin->ways.cols() > 1) {
+    cover = cover_of(arm, pose, begin->place, accuracy, step);
+    const MatrixXd directions = directions_of(arm, *cover);
+    if (directions.cols() == 1) begin->ways = directions;
+  }
   TracedSet traced;
   SelfMotion& motion = traced.motion;
   motion.dimension = static_cast<int>(begin->ways.cols());
@@ -439,7 +453,7 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   if (motion.dimension == 1) {
     curve = trace_curve(arm, pose, *begin, accuracy, step, motion);
   } else {
-    trace_surface(arm, pose, *begin, accuracy, step, traced);
+    trace_surface(*cover, traced);
   }
   // A few steps are no set: closures that meet leave the accuracy behind as slowly.
   const double reached = reach_of(arm, motion.samples);

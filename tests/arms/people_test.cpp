@@ -486,6 +486,27 @@ TEST(PeoplesArmsTest, PathsFarFromRealAreOfTheSurfaceThatLeadsThere) {
                read_poses({"pose", "0 0 1.2 0.0000 0.0000 0.0000 1.0000"}).front());
 }
 
+/// Home but for 1e-9: three axes are in line to 1e-10, and along curves of two turns the tip stands
+/// to rounding. Around one walks to all sides end on it again: it is no surface, and the one where
+/// the wrist is turned over is another.
+TEST(PeoplesArmsTest, ASetAllOfWhosePlacesAreOnALineIsACurve) {
+  const Arm arm = made_of({"pr2_four_digits", {{"joint_1", 0.3}}, {}});
+  const std::string pose =
+      "0.9562928036479172 0.29581256511147147 -3.3086216372764364e-06 0.6991658386252625 "
+      "-0.10566891048216376 0.6991680180106641 0.10566595500910562";
+  constexpr double kTurn = 1.66;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    SCOPED_TRACE(seed);
+    const ArmResult result =
+        find_arm_closures(arm, read_poses({"poses", pose}), lanes(), one_thread(seed)).front();
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_TRUE(is_told(arm, result, Eigen::VectorXd{{0, kTurn, 0, -kTurn, 0, 0}}, 1e-3));
+    for (const SelfMotion& set : result.moves) {
+      EXPECT_EQ(set.relations.size(), 1U) << "some turns have one sum";
+    }
+  }
+}
+
 /// Of five joints: searches lead to places of the told set, each of which misses the pose least
 /// next to itself.
 TEST(PeoplesArmsTest, PlacesOfAnOpenSetAreNoneThatPathsMissed) {
