@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "moivre/numeric/bytes.h"
+#include "moivre/numeric/job_list.h"
 #include "moivre/tracker/followed.h"
 
 namespace moivre {
@@ -177,80 +178,6 @@ OutcomeKind kind_of(const ArmResult& result) {
   return result.complete ? OutcomeKind::root : OutcomeKind::failed;
 }
 
-/// Results on their way, with those of other processes.
-struct ObservedResults {
-  const ResultJobs& jobs;
-  const Tracker& tracker;
-  const SolveOptions& options;
-  const std::atomic<bool>& stop;
-  std::vector<std::optional<ArmResult>> results;
-  std::vector<std::size_t> others = {};  ///< of which nothing is known
-
-  void take(std::size_t job, std::string_view bytes) {
-    ArmResult& result = results[job].emplace(arm_result_of(bytes));
-    result.pose = jobs.pose(job);
-    result.seed = options.seed;
-    result.tracker = tracker.kind();
-    result.tracker_options = tracker.options_in_force();
-    jobs.tell();
-  }
-
-  void take_known(JobShares* shares) {
-    auto known = options.observations->recall(jobs.list);
-    for (std::size_t k = 0; k < jobs.count; ++k) {
-      const auto found = known.find(k);
-      if (found == known.end()) {
-        others.push_back(k);
-        continue;
-      }
-      take(k, found->second);
-      if (shares != nullptr) shares->tell(k, std::move(found->second));
-    }
-  }
-
-  void solve(std::span<const std::size_t> numbers, JobShares* shares) {
-    auto solved = jobs.solve(numbers);
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-      std::optional<ArmResult>& result = results[numbers[k]];
-      result = std::move(solved[k]);
-      if (!result || stop) continue;
-      JobOutcome outcome{numbers[k], bytes_of(*result), kind_of(*result)};
-      options.observations->keep(jobs.list, outcome);
-      if (shares != nullptr) shares->tell(outcome.job, std::move(outcome.bytes));
-    }
-  }
-
-  void solve_others() {
-    for (std::size_t begin = 0; begin < others.size() && !stop; begin += jobs.together) {
-      solve(std::span(others).subspan(begin, std::min(jobs.together, others.size() - begin)),
-            nullptr);
-    }
-  }
-
-  void solve_drawn(JobShares& shares) {
-    while (!stop) {
-      std::vector<std::size_t> drawn;
-      while (drawn.size() < jobs.together) {
-        const auto job = shares.draw();
-        if (!job) break;
-        drawn.push_back(*job);
-      }
-      if (drawn.empty()) return;
-      solve(drawn, &shares);
-    }
-  }
-
-  void solve_shared(JobShares& shares) {
-    do_together(
-        shares, stop, [&] { solve_drawn(shares); },
-        [&](const ToldOutcome& told) {
-          take(told.job, told.bytes);
-          options.observations->keep(jobs.list,
-                                     JobOutcome{told.job, told.bytes, kind_of(*results[told.job])});
-        });
-  }
-};
-
 /// A result is told by its place: those behind a job that was cut short wait in the ledger.
 std::vector<ArmResult> before_first_gap(std::vector<std::optional<ArmResult>>&& results) {
   std::vector<ArmResult> first;
@@ -270,17 +197,30 @@ std::vector<ArmResult> observe_results(const ResultJobs& jobs, const Tracker& tr
     std::iota(all.begin(), all.end(), std::size_t{0});
     return before_first_gap(jobs.solve(all));
   }
-  ObservedResults observed{jobs, tracker, options, stop,
-                           std::vector<std::optional<ArmResult>>(jobs.count)};
-  const auto shares = jobs.count > 1 ? options.observations->share(jobs.list, jobs.count)
-                                     : std::unique_ptr<JobShares>();
-  observed.take_known(shares.get());
-  if (shares) {
-    observed.solve_shared(*shares);
-  } else {
-    observed.solve_others();
-  }
-  return before_first_gap(std::move(observed.results));
+  std::vector<std::optional<ArmResult>> results(jobs.count);
+  const auto take = [&](std::size_t job, std::string_view outcome) {
+    ArmResult& result = results[job].emplace(arm_result_of(outcome));
+    result.pose = jobs.pose(job);
+    result.seed = options.seed;
+    result.tracker = tracker.kind();
+    result.tracker_options = tracker.options_in_force();
+    jobs.tell();
+    return kind_of(result);
+  };
+  const auto solve = [&](std::span<const std::size_t> numbers) {
+    std::vector<JobOutcome> outcomes;
+    auto solved = jobs.solve(numbers);
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      std::optional<ArmResult>& result = results[numbers[k]];
+      result = std::move(solved[k]);
+      if (!result || stop) continue;
+      outcomes.push_back({numbers[k], bytes_of(*result), kind_of(*result)});
+    }
+    return outcomes;
+  };
+  do_jobs({jobs.list, jobs.count, jobs.together, jobs.together, take, solve}, *options.observations,
+          stop);
+  return before_first_gap(std::move(results));
 }
 
 void add_to(FingerprintMaker& maker, const Arm& arm) {

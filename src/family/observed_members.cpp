@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "moivre/numeric/bytes.h"
+#include "moivre/numeric/job_list.h"
 #include "moivre/numeric/threads.h"
 #include "moivre/tracker/followed.h"
 
@@ -30,6 +31,7 @@ Fingerprint list_of(const MembersTask& task, std::span<const Point> members) {
   return maker.fingerprint();
 }
 
+/// Among other processes blocks are as small as lanes allow, so that all end together.
 std::size_t least_block_of(const MembersTask& task) {
   return kMembersOfAThread * static_cast<std::size_t>(thread_count(task.options.threads));
 }
@@ -58,92 +60,6 @@ SolveOptions of_block(const SolveOptions& options, std::size_t done, std::size_t
   };
   return block;
 }
-
-/// Members on their way to what is observed of them.
-struct ObservedMembers {
-  const MembersTask& task;
-  std::span<const Point> members;
-  const MembersSolver& solve;
-  const std::atomic<bool>& stop;
-  Fingerprint list;
-  std::vector<MemberRoots> results;
-  std::vector<std::size_t> others;  ///< of which nothing is known
-  std::size_t done = 0;
-  std::uint64_t finite = 0;
-
-  void take(std::size_t member, std::string_view bytes) {
-    results[member] = member_roots_of(bytes);
-    finite += results[member].roots.size();
-    ++done;
-  }
-
-  /// What is known is told to others too, where there are any.
-  void take_known(JobShares* shares) {
-    results.resize(members.size());
-    auto known = task.options.observations->recall(list);
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      const auto found = known.find(k);
-      if (found == known.end()) {
-        others.push_back(k);
-        continue;
-      }
-      take(k, found->second);
-      if (shares != nullptr) shares->tell(k, std::move(found->second));
-    }
-  }
-
-  void solve_block(const std::vector<std::size_t>& numbers, JobShares* shares) {
-    std::vector<Point> block;
-    for (const std::size_t k : numbers) block.push_back(members[k]);
-    auto solved = solve(block, of_block(task.options, done, members.size(), finite));
-    for (std::size_t k = 0; k < numbers.size(); ++k) {
-      MemberRoots& result = results[numbers[k]];
-      result = std::move(solved[k]);
-      finite += result.roots.size();
-      ++done;
-      if (stop) continue;
-      JobOutcome outcome{numbers[k], bytes_of(result), kind_of(result)};
-      task.options.observations->keep(list, outcome);
-      if (shares != nullptr) shares->tell(outcome.job, std::move(outcome.bytes));
-    }
-  }
-
-  void solve_all() {
-    const std::size_t together = block_of(task);
-    for (std::size_t begin = 0; begin < others.size(); begin += together) {
-      const std::size_t end = std::min(others.size(), begin + together);
-      const auto from = others.begin();
-      solve_block(
-          {from + static_cast<std::ptrdiff_t>(begin), from + static_cast<std::ptrdiff_t>(end)},
-          nullptr);
-    }
-  }
-
-  /// Blocks as small as lanes allow, so that all processes end together.
-  void solve_drawn(JobShares& shares) {
-    const std::size_t together = least_block_of(task);
-    while (!stop) {
-      std::vector<std::size_t> block;
-      while (block.size() < together) {
-        const auto drawn = shares.draw();
-        if (!drawn) break;
-        block.push_back(*drawn);
-      }
-      if (block.empty()) return;
-      solve_block(block, &shares);
-    }
-  }
-
-  void solve_shared(JobShares& shares) {
-    do_together(
-        shares, stop, [&] { solve_drawn(shares); },
-        [&](const ToldOutcome& told) {
-          take(told.job, told.bytes);
-          const JobOutcome outcome{told.job, told.bytes, kind_of(results[told.job])};
-          task.options.observations->keep(list, outcome);
-        });
-  }
-};
 
 }  // namespace
 
@@ -196,18 +112,35 @@ MemberRoots member_roots_of(std::string_view text) {
 std::vector<MemberRoots> observe_members(const MembersTask& task, std::span<const Point> members,
                                          const MembersSolver& solve,
                                          const std::atomic<bool>& stop) {
-  Observations& observations = *task.options.observations;
-  const Fingerprint list = list_of(task, members);
-  ObservedMembers observed{task, members, solve, stop, list, {}, {}, 0, 0};
-  const auto shares =
-      members.size() > 1 ? observations.share(list, members.size()) : std::unique_ptr<JobShares>();
-  observed.take_known(shares.get());
-  if (shares) {
-    observed.solve_shared(*shares);
-  } else {
-    observed.solve_all();
-  }
-  return std::move(observed.results);
+  std::vector<MemberRoots> results(members.size());
+  std::size_t done = 0;
+  std::uint64_t finite = 0;
+  const auto count = [&](const MemberRoots& result) {
+    finite += result.roots.size();
+    ++done;
+  };
+  const auto take = [&](std::size_t member, std::string_view outcome) {
+    results[member] = member_roots_of(outcome);
+    count(results[member]);
+    return kind_of(results[member]);
+  };
+  const auto solve_block = [&](std::span<const std::size_t> numbers) {
+    std::vector<Point> block;
+    for (const std::size_t k : numbers) block.push_back(members[k]);
+    auto solved = solve(block, of_block(task.options, done, members.size(), finite));
+    std::vector<JobOutcome> outcomes;
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+      MemberRoots& result = results[numbers[k]];
+      result = std::move(solved[k]);
+      count(result);
+      if (!stop) outcomes.push_back({numbers[k], bytes_of(result), kind_of(result)});
+    }
+    return outcomes;
+  };
+  do_jobs({list_of(task, members), members.size(), block_of(task), least_block_of(task), take,
+           solve_block},
+          *task.options.observations, stop);
+  return results;
 }
 
 }  // namespace moivre
