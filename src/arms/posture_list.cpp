@@ -126,8 +126,10 @@ bool stands_exactly(const SelfMotion& set) { return set.misfit <= kRounding && !
 /// As well as any pose is known.
 bool stands_whole(const SelfMotion& set) { return set.misfit <= kReach && !has_ends(set); }
 
-/// A curve that is found as exact ones are, and ends: it has closures.
-bool nearly_stands(const SelfMotion& set) { return set.misfit <= kRounding && has_ends(set); }
+/// Or, as rounding tells, a curve that ends: it has closures.
+bool has_an_exact_part(const SelfMotion& set) {
+  return stands_whole(set) || (set.misfit <= kRounding && has_ends(set));
+}
 
 std::optional<std::size_t> set_of(const PostureList& list, const Eigen::VectorXd& values,
                                   bool (*is_meant)(const SelfMotion&)) {
@@ -212,9 +214,7 @@ std::optional<TracedSet> trace_exactly(const PostureList& list, const Eigen::Vec
 std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure) {
   const double sigma = closure.smallest_singular_value;
   const std::vector<double> accuracies = left_open(list);
-  const bool is_known =
-      set_of(list, closure.values, nearly_stands) || set_of(list, closure.values, stands_whole);
-  if (sigma <= kStandsAlone && !is_known) {
+  if (sigma <= kStandsAlone && !set_of(list, closure.values, has_an_exact_part)) {
     if (auto traced = trace_exactly(list, closure.values)) {
       const bool is_within_digits = !accuracies.empty() && has_ends(traced->motion);
       return add(list, std::move(*traced), is_within_digits);
@@ -394,6 +394,8 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
     return entry;
   }
   ArmClosure closure = closure_of(list, polished);
+  // Of a set that is there within the digits, a posture may be on an exact one as well.
+  bool is_exact_one_sought = closure.smallest_singular_value <= kStandsAlone;
   const auto known = [&]() -> std::optional<PostureEntry> {
     if (const auto same = listed(list, closure)) {
       // Of the two the one that holds the pose as typed is told.
@@ -408,7 +410,7 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
     // A closure may stand on a set that is there within the digits only; a place on the way to one,
     // and what double does not tell from other places of the set, is of that set.
     auto set = set_of(list, closure.values, stands_exactly);
-    if (!set) set = set_of(list, closure.values, is_any);
+    if (!set) set = set_of(list, closure.values, is_exact_one_sought ? has_an_exact_part : is_any);
     if (!set) return std::nullopt;
     const bool is_closure = !stands_exactly(list.moves[*set]) && !closure.within_digits &&
                             is_at_rest(closure) && stands_alone(list, list.moves[*set], polished);
@@ -417,6 +419,7 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
   };
   if (const auto same = known()) return *same;
   if (const auto set = add_set(list, closure)) return {PostureEntry::Kind::on_set, *set, true, 0};
+  is_exact_one_sought = false;
   if (const auto same = known()) return *same;
   list.closures.push_back(std::move(closure));
   return {PostureEntry::Kind::closure, list.closures.size() - 1, true, 0};

@@ -24,7 +24,7 @@ constexpr double kShortest = 4, kShortestCurve = 6;
 constexpr double kMayStand = 0.02;
 /// A set of one dimension has at most so many samples to each side; for one of more dimensions so
 /// many ways are gone.
-constexpr int kMostSteps = 400;
+constexpr int kMostSteps = 2000;
 constexpr int kMostWays = 10'000;
 /// Where sets cross so many ways are tried.
 constexpr std::uint64_t kWays = 12;
@@ -110,21 +110,25 @@ Around around(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& pla
 struct Way {
   std::vector<SetPlace> places;
   bool closes = false;
+  bool is_whole = true;  ///< not cut off after `most` steps
 };
 
-/// From `from` on along `direction`, to the end of the set or back to its beginning.
+/// From `from` on along `direction`, to the end of the set or back to its beginning. Where it has
+/// gone far, steps are longer than `longest`: a small loop would have come back.
 Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, VectorXd direction,
-           Index dimension, int most, double accuracy, double longest) {
+           int most, double accuracy, double longest) {
   constexpr int kHalvings = 4;
   /// Samples follow a curve: the cosine between one step and the next.
   constexpr double kStraight = 0.995;
   constexpr double kSameWay = 0.5;
+  constexpr double kOfTheWay = 0.1;
   Way way;
   SetPlace here = from;
   VectorXd first;
   double farthest = 0;
   for (int k = 0; k < most; ++k) {
     std::optional<SetPlace> next;
+    longest = std::max(longest, std::min(kStep, kOfTheWay * farthest));
     double step = longest;
     VectorXd gone;
     for (int h = 0; h <= kHalvings; ++h, step /= 2) {
@@ -143,11 +147,12 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
     farthest = std::max(farthest, away);
     const bool is_back =
         farthest > 2 * longest && away < longest && direction.dot(first) > kSameWay;
-    if (dimension == 1 && is_back) {
+    if (is_back) {
       way.closes = true;
       return way;
     }
   }
+  way.is_whole = false;
   return way;
 }
 
@@ -267,18 +272,19 @@ std::optional<SetBegin> set_begin(const Arm& arm, const Eigen::Isometry3d& pose,
 /// Its places, in order.
 std::vector<SetPlace> trace_curve(const Arm& arm, const Eigen::Isometry3d& pose,
                                   const SetBegin& begin, double accuracy, double step,
-                                  SelfMotion& motion) {
+                                  TracedSet& traced) {
   const VectorXd direction = begin.ways.col(0);
-  Way forth = follow(arm, pose, begin.place, direction, 1, kMostSteps, accuracy, step);
+  Way forth = follow(arm, pose, begin.place, direction, kMostSteps, accuracy, step);
   Way back;
   if (!forth.closes) {
-    back = follow(arm, pose, begin.place, -direction, 1, kMostSteps, accuracy, step);
+    back = follow(arm, pose, begin.place, -direction, kMostSteps, accuracy, step);
   }
   std::vector<SetPlace> places(back.places.rbegin(), back.places.rend());
   places.push_back(begin.place);
   places.insert(places.end(), forth.places.begin(), forth.places.end());
-  take(places, motion.samples, motion.misfit);
-  motion.closes = forth.closes;
+  take(places, traced.motion.samples, traced.motion.misfit);
+  traced.motion.closes = forth.closes;
+  traced.is_whole = forth.is_whole && back.is_whole;
   return places;
 }
 
@@ -451,7 +457,7 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   motion.misfit = begin->place.residual;
   std::vector<SetPlace> curve;
   if (motion.dimension == 1) {
-    curve = trace_curve(arm, pose, *begin, accuracy, step, motion);
+    curve = trace_curve(arm, pose, *begin, accuracy, step, traced);
   } else {
     trace_surface(*cover, traced);
   }
@@ -512,7 +518,7 @@ std::vector<TracedSet> trace_branches(const Arm& arm, const Eigen::Isometry3d& p
   for (std::uint64_t way = 0; way < kWays; ++way) {
     const VectorXd direction =
         random_unit_vector(directions, seed, kThirdStream + way * kMostJoints);
-    const Way gone = follow(arm, pose, place, direction, 1, kSteps, accuracy, kStep);
+    const Way gone = follow(arm, pose, place, direction, kSteps, accuracy, kStep);
     if (gone.places.empty()) continue;
     const VectorXd& there = gone.places.back().values;
     if (apart(arm, there, crossing) < kShortestCurve * kProbe) continue;

@@ -26,7 +26,7 @@ struct TracedSet {
   SelfMotion motion;
   /// Of a set within the accuracy only: where Newton's method is begun for closures.
   std::vector<Eigen::VectorXd> near_closures;
-  bool is_whole = true;  ///< a surface may be too large to be covered
+  bool is_whole = true;  ///< it may be too large to be followed to all its ends
 };
 
 /// A curve of postures ends nowhere: one that does, where it misses the pose by more than rounding,

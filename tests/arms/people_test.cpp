@@ -507,6 +507,43 @@ TEST(PeoplesArmsTest, ASetAllOfWhosePlacesAreOnALineIsACurve) {
   }
 }
 
+/// One pose of a list, as it was printed: what holds it is on a set that is told.
+void expect_on_a_set(const PeoplesArm& peoples, const std::string& pose) {
+  const Arm arm = made_of(peoples);
+  const std::vector<double>& values = peoples.values[0];
+  const Eigen::VectorXd own = Eigen::Map<const Eigen::VectorXd>(values.data(), std::ssize(values));
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    SCOPED_TRACE(peoples.name + (" seed " + std::to_string(seed)));
+    const ArmResult result =
+        find_arm_closures(arm, read_poses({"poses", pose}), lanes(), one_thread(seed)).front();
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_TRUE(std::any_of(result.moves.begin(), result.moves.end(), [&](const SelfMotion& set) {
+      return !set.within_digits && is_on(arm, set, own, 1e-3);
+    }));
+  }
+}
+
+/// Elbow and wrist are folded but for 1e-6 to 1e-5: two turns go together along loops that are seen
+/// as curves with short steps only, and are as long as others.
+TEST(PeoplesArmsTest, ACurveThatBeginsWithShortStepsIsFollowedToItsEnd) {
+  expect_on_a_set(
+      {"iiwa7_all_digits",
+       {{"joint_3", 0.3}},
+       {{1.5708963268, -1.5707963268, 3.1416026536, 3.1425926536, 3.1415936536, -1.5707963268}}},
+      "1.1827389772939356e-05 -0.12599999945963802 0.34000249721240716 0.10535466367832465 "
+      "0.10528357622824527 0.6992285914311589 -0.6992103691615391");
+}
+
+/// The shoulder is straight and the elbow nearly: along a curve two turns have one sum, as typed,
+/// and it is on a surface that the file's digits leave open.
+TEST(PeoplesArmsTest, AnExactSetIsToldWithinOneOfTheDigits) {
+  expect_on_a_set({"panda_with_tool_four_digits",
+                   {{"joint_7", 0.3}},
+                   {{1.5707973268, 0, 0.7853991634, 0.001, 1e-07, 3.1415926536}}},
+                  "0.06257265675923233 -0.06257239491102055 1.1398292545284383 0.9706929892665611 "
+                  "0.00025822415343626607 0.000428159159361563 -0.24032243047366228");
+}
+
 /// Of five joints: searches lead to places of the told set, each of which misses the pose least
 /// next to itself.
 TEST(PeoplesArmsTest, PlacesOfAnOpenSetAreNoneThatPathsMissed) {
