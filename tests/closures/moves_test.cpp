@@ -28,6 +28,60 @@ void expect_moves(const Mechanism& mechanism, std::uint64_t dimension) {
   }
 }
 
+/// Three bodies turn as one about an axis that two of the joints share. Of the polynomials double
+/// roots are left, at the same pose for every seed, which look isolated for some.
+TEST(Moves, ASetIsNotTakenForDoubleClosures) {
+  const Mechanism mechanism = mechanism_text(R"toml(space = "spatial"
+[ground.points]
+P0 = [0.0, 0.0, 0.0]
+P9 = [-8.0, 0.0, 0.0]
+[body.b1.points]
+P1 = [0.0, 0.0, 0.0]
+P2 = [-8.0, 0.0, 0.0]
+[body.b2.points]
+P3 = [-8.0, 0.0, 0.0]
+P4 = [-12.0, 0.0, 0.0]
+[body.b3.points]
+P5 = [-10.8, 0.0, 1.6]
+P6 = [8.0, 0.0, 0.0]
+[body.b4.points]
+P7 = [8.0, 0.0, 0.0]
+P8 = [-8.0, 0.0, 0.0]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.P0", "b1.P1"]
+axis = [0.0, 0.0, 1.0]
+[[joint]]
+type = "universal"
+name = "j1"
+at = ["b1.P2", "b2.P3"]
+axis = [[0.6, 0.0, 0.8], [0.0, 1.0, 0.0]]
+[[joint]]
+type = "cylindrical"
+name = "j2"
+at = ["b2.P4", "b3.P5"]
+axis = [0.6, 0.0, 0.8]
+[[joint]]
+type = "revolute"
+name = "j3"
+at = ["b3.P6", "b4.P7"]
+axis = [0.0, 0.0, 1.0]
+[[joint]]
+type = "revolute"
+name = "j4"
+at = ["b4.P8", "ground.P9"]
+axis = [0.0, 1.0, 0.0]
+[[driver]]
+angle = "j0"
+start = 0.0)toml");
+  for (const std::uint64_t seed : {1U, 2U, 9U}) {
+    const ClosureResult result = closures_of(mechanism, seed);
+    EXPECT_TRUE(result.moves) << "seed " << seed << ": " << result.message;
+    EXPECT_EQ(result.completeness.value_or(RootCompleteness::open), RootCompleteness::open);
+  }
+}
+
 /// The triangle, with a link of length 1 that dangles from its tip.
 Mechanism triangle_with_a_tail(const std::string& base) {
   return mechanism_text(test::triangle_text(base) + R"toml(
