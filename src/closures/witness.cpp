@@ -68,16 +68,12 @@ bool is_listed(const ClosureSearch& search, const VectorXd& q) {
   });
 }
 
-/// Of a set that was taken for isolated closures what is listed is singular, and moves.
-bool shows_a_motion(ClosureSearch& search) {
-  ClosureResult& result = search.result;
-  if (search.mechanism.fit) return false;
-  const bool moves =
-      std::any_of(result.closures.begin(), result.closures.end(), [&](const Closure& closure) {
-        return closure.singular && lies_on_motion(search, closure.q);
-      });
-  if (moves && result.completeness) result.completeness = RootCompleteness::open;
-  return moves;
+/// Whether the pose moves: then what was shown of isolated closures is not.
+bool shows_a_motion(ClosureSearch& search, const VectorXd& q) {
+  if (!lies_on_motion(search, q)) return false;
+  auto& completeness = search.result.completeness;
+  if (completeness) completeness = RootCompleteness::open;
+  return true;
 }
 
 }  // namespace
@@ -101,7 +97,10 @@ void look_for_witnesses(ClosureSearch& search) {
   if (!result.complete || search.stop || result.moves) return;
   look_for_fitted(search);
   letter(search.result.closures, search.phi);
-  if (shows_a_motion(search)) return;
+  // Of a set that was taken for isolated closures what is listed is singular.
+  for (const Closure& closure : result.closures) {
+    if (closure.singular && !search.mechanism.fit && shows_a_motion(search, closure.q)) return;
+  }
   const bool has_found = result.counts.real + result.counts.fitted > 0;
   NewtonOptions options;
   options.maximum_iterations = kMostIterations;
@@ -116,7 +115,7 @@ void look_for_witnesses(ClosureSearch& search) {
     if (pose.status != NewtonStatus::converged) continue;
     // Within a fit a pose is singular that stands alone as typed, unless it closes as typed.
     const bool may_move = !search.mechanism.fit || closes(search, pose);
-    if (pose.is_singular && may_move && lies_on_motion(search, q)) return;
+    if (pose.is_singular && may_move && shows_a_motion(search, q)) return;
     if (!shows_a_loss(search, pose)) continue;
     ++search.rootless;
     return;
