@@ -3,11 +3,13 @@
 #include "least_motion.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 
 #include "moivre/factorization/svd.h"
+#include "six_equations.h"
 
 namespace moivre {
 namespace {
@@ -160,6 +162,27 @@ LeastMotion least_motion(const Screws<double>& screws) {
   if (screws.cols() == kFive) least = by_gram<kFive>(screws);
   if (screws.cols() == kFour) least = by_gram<kFour>(screws);
   return least ? *least : by_rotations(screws);
+}
+
+// As many as pivots of the Gram matrix, less by the bound's square, are negative [Sylvester].
+int still_count(const Screws<double>& screws, double bound) {
+  constexpr double kTold = 1e-10, kPivot = 1e-12;  // beside the sum of squares
+  const double size = screws.squaredNorm();
+  if (screws.cols() == kMost && bound * bound > kTold * size) {
+    Matrix6d shifted = gram_of(screws);
+    shifted.diagonal().array() -= bound * bound;
+    const SixFactors factors = factors_of(shifted);
+    int count = 0;
+    bool are_told = true;
+    for (const double share : factors.share) {
+      count += share < 0 ? 1 : 0;
+      are_told = are_told && std::abs(share) * kPivot * size < 1;
+    }
+    if (are_told) return count;
+  }
+  const Eigen::VectorXd sigma = svd(screws, SingularVectors::full).sigma;
+  const auto more = std::max<Eigen::Index>(0, screws.cols() - sigma.size());
+  return static_cast<int>((sigma.array() <= bound).count() + more);
 }
 
 }  // namespace moivre

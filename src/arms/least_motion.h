@@ -23,4 +23,7 @@ struct LeastMotion {
 
 LeastMotion least_motion(const Screws<double>& screws);
 
+/// How many singular values are not above a bound, those of more joints than six among them.
+int still_count(const Screws<double>& screws, double bound);
+
 }  // namespace moivre

@@ -129,14 +129,12 @@ struct PoseSearch {
   bool are_all_simple = false;  ///< the formula's closures are all there are
 };
 
-PoseSearch begin_search(const PreparedArm& prepared, const TypedPose& at, const Tracker& tracker) {
+PoseSearch begin_search(const PreparedArm& prepared, const TypedPose& at) {
   const Arm& arm = prepared.arm;
-  ArmResult result;
-  result.message.clear();
+  ArmResult result = prepared.account;
   result.pose = at.pose;
   result.complete = prepared.is_complete;
   result.accuracy = std::max(kReach, at.accuracy * std::max(1.0, 1 / arm.length));
-  take_account(prepared, tracker, result);
   PostureList list{arm, at.pose, result.accuracy, prepared.seed, {}, {}, {}, {}, {}, {}};
   return {prepared, std::move(list), std::move(result),
           std::vector<PathsSeen>(prepared.beginnings.size())};
@@ -258,7 +256,7 @@ ArmResult finished(PoseSearch&& pose) {
 ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at, const KnownOfPose& known,
                       std::uint64_t as_witness, const Tracker& tracker,
                       const std::atomic<bool>& stop) {
-  PoseSearch pose = begin_search(prepared, at, tracker);
+  PoseSearch pose = begin_search(prepared, at);
   for (std::size_t k = 0; k < prepared.beginnings.size(); ++k) {
     pose.are_all_simple = known.by_formula && read_found(prepared.beginnings[k], *known.by_formula,
                                                          pose.list, pose.result);

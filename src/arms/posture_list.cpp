@@ -7,7 +7,9 @@
 #include <iterator>
 #include <numbers>
 #include <tuple>
+#include <utility>
 
+#include "least_motion.h"
 #include "moivre/factorization/svd.h"
 #include "moivre/mechanism/closure_id.h"
 #include "near_curves.h"
@@ -246,8 +248,8 @@ void follow_digits(PostureList& list, const Polished& place) {
 }
 
 /// Along which the tip can move so little that the accuracy leaves them open.
-int weak_directions(const Eigen::VectorXd& sigma, double accuracy) {
-  return static_cast<int>((sigma.array() <= accuracy / kReachesFar).count());
+int weak_directions(const Screws<double>& screws, double accuracy) {
+  return still_count(screws, accuracy / kReachesFar);
 }
 
 /// A curve that ends within much less than the accuracy.
@@ -418,9 +420,13 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
     return PostureEntry{PostureEntry::Kind::on_set, *set, false, 0};
   };
   if (const auto same = known()) return *same;
+  const std::size_t sets = list.moves.size(), followed = list.followed.size();
   if (const auto set = add_set(list, closure)) return {PostureEntry::Kind::on_set, *set, true, 0};
-  is_exact_one_sought = false;
-  if (const auto same = known()) return *same;
+  const bool may_be_known = std::exchange(is_exact_one_sought, false) || list.moves.size() > sets ||
+                            list.followed.size() > followed;
+  if (may_be_known) {
+    if (const auto same = known()) return *same;
+  }
   list.closures.push_back(std::move(closure));
   return {PostureEntry::Kind::closure, list.closures.size() - 1, true, 0};
 }
@@ -432,10 +438,10 @@ void follow_branches(PostureList& list) {
     for (std::size_t k = 0; k < std::min(kMostFollowed, list.closures.size()); ++k) {
       if (list.closures[k].smallest_singular_value > widest / kReachesFar) continue;
       const Eigen::VectorXd values = list.closures[k].values;
-      const Eigen::VectorXd sigma = stretch_of(place_at(list.arm, list.pose, values)).sigma;
+      const Screws<double> screws = linearized(list.arm, list.pose, values).screws;
       for (const double fine : kFiner) {
         const double accuracy = fine * widest;
-        const int weak = weak_directions(sigma, accuracy);
+        const int weak = weak_directions(screws, accuracy);
         if (weak <= dimension_told(list, values, accuracy)) continue;
         for (TracedSet& set : sets_through(list, values, weak, accuracy)) {
           add_open(list, std::move(set));

@@ -40,13 +40,40 @@ LeftOut cut_told(const Arm& arm, const Cut& cut) {
       "its joints are then roots of a quadratic"};
 }
 
+ArmResult account_of(const PreparedArm& prepared, const Tracker& tracker) {
+  ArmResult result;
+  result.message.clear();
+  result.seed = prepared.seed;
+  result.tracker = tracker.kind();
+  result.tracker_options = tracker.options_in_force();
+  for (const ArmBeginning& beginning : prepared.beginnings) {
+    const SolveResult& solved = beginning.regular.solved;
+    result.start = solved.start;
+    result.paths += solved.paths;
+    result.failures.insert(result.failures.end(), solved.failures.begin(), solved.failures.end());
+    result.work += solved.work;
+    result.time_s.start += solved.time.start;
+    result.time_s.track += solved.time.track;
+    result.time_s.track_cpu += solved.time.track_cpu;
+    result.time_s.refine += solved.time.refine;
+    result.time_s.threads = solved.time.threads;
+    result.counts.rejected += beginning.regular.rejected;
+    const Arm& six = beginning.six.arm;
+    result.stages.push_back({names_of(six, beginning.regular.cut.outside), 1, solved.paths});
+  }
+  if (prepared.beginnings.empty()) return result;
+  const ArmBeginning& first = prepared.beginnings.front();
+  result.left_out.push_back(cut_told(first.six.arm, first.regular.cut));
+  return result;
+}
+
 }  // namespace
 
 PreparedArm prepare(const Arm& arm, const Tracker& tracker, const SolveOptions& options,
                     const std::atomic<bool>& stop) {
   constexpr std::uint64_t kBehindOthers = 900, kCurvedTries = 4;
   constexpr double kIdleWithin = 1e-9, kDigits = 10;
-  PreparedArm prepared{arm, options.seed, options, {}, false, true};
+  PreparedArm prepared{arm, options.seed, options, {}, false, true, {}};
   prepared.options.threads = 1;
   prepared.options.progress = nullptr;
   const auto idle =
@@ -70,31 +97,8 @@ PreparedArm prepare(const Arm& arm, const Tracker& tracker, const SolveOptions& 
     prepared.beginnings.push_back(std::move(beginning));
   }
   prepared.is_complete = prepared.is_complete && !stop;
+  prepared.account = account_of(prepared, tracker);
   return prepared;
-}
-
-void take_account(const PreparedArm& prepared, const Tracker& tracker, ArmResult& result) {
-  result.seed = prepared.seed;
-  result.tracker = tracker.kind();
-  result.tracker_options = tracker.options_in_force();
-  for (const ArmBeginning& beginning : prepared.beginnings) {
-    const SolveResult& solved = beginning.regular.solved;
-    result.start = solved.start;
-    result.paths += solved.paths;
-    result.failures.insert(result.failures.end(), solved.failures.begin(), solved.failures.end());
-    result.work += solved.work;
-    result.time_s.start += solved.time.start;
-    result.time_s.track += solved.time.track;
-    result.time_s.track_cpu += solved.time.track_cpu;
-    result.time_s.refine += solved.time.refine;
-    result.time_s.threads = solved.time.threads;
-    result.counts.rejected += beginning.regular.rejected;
-    const Arm& six = beginning.six.arm;
-    result.stages.push_back({names_of(six, beginning.regular.cut.outside), 1, solved.paths});
-  }
-  if (prepared.beginnings.empty()) return;
-  const ArmBeginning& first = prepared.beginnings.front();
-  result.left_out.push_back(cut_told(first.six.arm, first.regular.cut));
 }
 
 }  // namespace moivre

@@ -35,13 +35,11 @@ struct PreparedArm {
       beginnings;  ///< one; more where joints are held that move on curved sets
   bool is_always_moving = false;
   bool is_complete = false;
+  ArmResult account;  ///< of the solves at regular poses: what every pose's result begins with
 };
 
 /// Stopped: incomplete.
 PreparedArm prepare(const Arm& arm, const Tracker& tracker, const SolveOptions& options,
                     const std::atomic<bool>& stop);
-
-/// Into `result`: the account of the solves at regular poses.
-void take_account(const PreparedArm& prepared, const Tracker& tracker, ArmResult& result);
 
 }  // namespace moivre

@@ -171,10 +171,12 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
 }
 
 // Beside a pair with imaginary parts y whose Jacobian has a smallest singular value s the pose is
-// missed by y s / 2 at the least; where an added joint stands at x, by s x.
+// missed by y s / 2 at the least; where an added joint stands at x, by s x. A set that is open
+// within the accuracy has closures on its continuation, real or not, at which the tip can move as
+// little: it is looked for beside such pairs alone.
 bool read_found(const ArmBeginning& beginning, const FoundClosures& found, PostureList& list,
                 ArmResult& result) {
-  constexpr double kClearly = 8, kMargin = 10;
+  constexpr double kClearly = 8, kMargin = 10, kMayReach = 0.01;
   const SixJoints& six = beginning.six;
   const bool has_all_joints = six.own.size() == kSixJoints;
   const double accuracy = list.accuracy + list.arm.rounding;
@@ -205,7 +207,8 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
   }
   for (const ConjugatePair& pair : found.pairs) {
     if (has_all_joints || added_at(pair.values) <= kMargin * accuracy) result.counts.complex += 2;
-    if (has_all_joints) enter(list, own_values(six, pair.values.real()), false);
+    const bool is_weak = pair.stiffness * kMayReach < accuracy;
+    if (has_all_joints && is_weak) enter(list, own_values(six, pair.values.real()), false);
   }
   return true;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "least_motion.h"
 #include "moivre/factorization/svd.h"
 #include "moivre/numeric/random.h"
 #include "near_closures.h"
@@ -431,6 +432,28 @@ bool is_told_there(const Arm& arm, const std::vector<SelfMotion>& told, const Se
   });
 }
 
+/// Whether a curve that is told may be there, of an arm of six joints or fewer. It reaches
+/// kShortestCurve probes, half of that to one side, and begins along the one direction that may
+/// stand, where there is but one.
+bool may_reach(const Arm& arm, const Eigen::Isometry3d& pose, const VectorXd& from,
+               double accuracy) {
+  constexpr Index kSix = 6;
+  constexpr int kSteps = 3;
+  constexpr double kNearlyHalf = 0.47 * kShortestCurve * kProbe, kClearly = 1.15;
+  const SetPlace place = place_at(arm, pose, from);
+  const Screws<double>& screws = place.at.screws;
+  const bool is_one_way =
+      from.size() <= kSix && still_count(screws, kMayStand * screws.norm()) <= 1;
+  if (!is_one_way) return true;
+  const VectorXd way = least_motion(screws).joints;
+  const auto reaches = [&](const VectorXd& side) {
+    const double step = kNearlyHalf / kSteps;
+    const SetPlace end = walk(arm, pose, place, side, kClearly * accuracy, step, kSteps);
+    return apart(arm, end.values, from) > (kSteps - 0.5) * step;
+  };
+  return reaches(way) || reaches(-way);
+}
+
 /// `size`: of probes and steps, beside the usual ones.
 std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& pose,
                                        const VectorXd& from, double accuracy, double size,
@@ -500,6 +523,7 @@ std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose
   // The exact set may be small, as beside a stretched elbow. Where k closures meet the tip is
   // missed by the k-th power of the way: so near it must not be missed by as much.
   constexpr double kSmaller[] = {0.1, 0.01};
+  if (accuracy > kReach && !may_reach(arm, pose, from, accuracy)) return std::nullopt;
   auto traced = trace_at_size(arm, pose, from, accuracy, 1, seed, told);
   for (const double size : kSmaller) {
     if (traced || accuracy > kReach) break;

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "least_motion.h"
+#include "six_equations.h"
 
 namespace moivre {
 
@@ -44,51 +45,73 @@ Velocity6<double> least_moved(const SetPlace& place) { return least_motion(place
 namespace {
 
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostJoints, kMostJoints>;
+using Frozen = Eigen::MatrixXd;  // orthonormal columns
 
 /// A singular value beside which a miss is far.
 constexpr double kLongWay = kProbe / 10;
 
-/// What is left to move by, in the joints' own coordinates.
-Square across_of(const Eigen::MatrixXd& frozen) {
-  const Eigen::Index n = frozen.rows();
-  return Square::Identity(n, n) - frozen * frozen.transpose();
+/// Of the largest pivot, or of the sum of the squares of what moves the tip.
+constexpr double kIndependent = 1e-8;
+constexpr int kInverseSteps = 6;
+
+// By the normal equations: the step is short, or no direction, or one alone, moves the tip so
+// little that what is within the accuracy is far. What is kept has the projection frozen frozen^T.
+
+std::optional<JointVector<double>> step_across_six(const Linearized& at, const Frozen& frozen,
+                                                   double accuracy) {
+  Matrix6d free = at.screws;
+  Matrix6d kept = Matrix6d::Zero();
+  for (Eigen::Index k = 0; k < frozen.cols(); ++k) {
+    const Velocity6<double> way = frozen.col(k);
+    const Velocity6<double> moved = at.screws * way;
+    free -= moved * way.transpose();
+    kept += way * way.transpose();
+  }
+  const double size = free.squaredNorm();
+  const Matrix6d gram = gram_of(free) + size * kept;
+  const SixFactors factors = factors_of(gram);
+  if (!(factors.least > kIndependent * size)) return std::nullopt;
+  const Velocity6<double> step = solution_of(factors, free.transpose() * at.error);
+  if (step.norm() <= kLongWay) return step;
+  // One direction may be weak, by inverse iteration: the others are not, if no pivot is negative
+  // without it and less by the bound's square.
+  Velocity6<double> weak = step.normalized();
+  for (int k = 0; k < kInverseSteps; ++k) weak = solution_of(factors, weak).normalized();
+  const double bound = accuracy / kLongWay;
+  Matrix6d others = gram + size * weak * weak.transpose();
+  others.diagonal().array() -= bound * bound;
+  if (!(factors_of(others).least > 0)) return std::nullopt;
+  const Velocity6<double> moved = free * weak;
+  const double square = moved.squaredNorm();
+  const double miss = std::abs(moved.dot(at.error));  // beside the singular value, |moved|
+  const bool is_far = miss <= accuracy * std::sqrt(square) && miss > kLongWay * square;
+  return is_far ? Velocity6<double>(step - weak.dot(step) * weak) : step;
 }
 
-/// By the normal equations, where nothing is to be dropped: the step is short, or no direction
-/// moves the tip so little that what is within the accuracy is far.
-/// Screws: with as many columns as `across` has, faster where that is known.
-template <class ScrewsOf, class SquareOf>
-std::optional<JointVector<double>> step_across(const ScrewsOf& screws,
-                                               const Velocity6<double>& error,
-                                               const SquareOf& across, double accuracy) {
-  constexpr double kIndependent = 1e-8;
-  const ScrewsOf free = screws * across;
+std::optional<JointVector<double>> step_across(const Linearized& at, const Frozen& frozen,
+                                               double accuracy) {
+  if (at.screws.cols() == 6) return step_across_six(at, frozen, accuracy);
+  const Square kept = frozen * frozen.transpose();
+  const Screws<double> free = at.screws - at.screws * kept;
   const double size = free.squaredNorm();
-  SquareOf gram = free.transpose() * free;
-  // What is kept: 1 - across is a projection.
-  gram += size * (SquareOf::Identity(gram.rows(), gram.cols()) - across);
-  const Eigen::LDLT<SquareOf> ldlt(gram);
+  const Square gram = free.transpose() * free + size * kept;
+  const Eigen::LDLT<Square> ldlt(gram);
   if (!(ldlt.vectorD().minCoeff() > kIndependent * size)) return std::nullopt;
-  const JointVector<double> along = free.transpose() * error;
+  const JointVector<double> along = free.transpose() * at.error;
   const JointVector<double> step = ldlt.solve(along);
   if (step.norm() <= kLongWay) return step;
   // 1 / sigma^2 <= |G^-1| for the smallest sigma.
-  const SquareOf inverse = ldlt.solve(SquareOf::Identity(gram.rows(), gram.cols()));
+  const Square inverse = ldlt.solve(Square::Identity(gram.rows(), gram.cols()));
   const double of_miss = accuracy / kLongWay;
   if (!(of_miss * of_miss * inverse.norm() < 1)) return std::nullopt;
   return step;
 }
 
-std::optional<JointVector<double>> step_across(const Linearized& at, const Square& across,
-                                               double accuracy) {
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  if (across.cols() != 6) return step_across(at.screws, at.error, across, accuracy);
-  return step_across(Matrix6(at.screws), at.error, Matrix6(across), accuracy);
-}
-
 /// Without the directions that rounding makes, or in which the miss is within the accuracy and far.
-JointVector<double> step_of(const Linearized& at, const Square& across, double accuracy) {
+JointVector<double> step_of(const Linearized& at, const Frozen& frozen, double accuracy) {
   constexpr double kLost = 1e-13;
+  const Eigen::Index n = frozen.rows();
+  const Square across = Square::Identity(n, n) - frozen * frozen.transpose();
   const Svd stretch = svd(at.screws * across, SingularVectors::thin);
   Eigen::VectorXd along = stretch.U.transpose() * at.error;
   for (Eigen::Index i = 0; i < along.size(); ++i) {
@@ -107,17 +130,21 @@ SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, Eigen::VectorXd 
   constexpr int kMost = 40;
   constexpr double kLongest = 0.2, kSettled = 1e-13, kShare = 1e-3;
   const double enough = std::max(kSettled, kShare * accuracy);
-  const Square across = across_of(frozen);
-  SetPlace place = place_at(arm, pose, values);
+  JointVector<double> here = values;
+  Linearized at = linearized(arm, pose, here);
   for (int k = 0; k < kMost; ++k) {
-    const auto plain = step_across(place.at, across, accuracy);
-    JointVector<double> step = plain ? *plain : step_of(place.at, across, accuracy);
+    const auto plain = step_across(at, frozen, accuracy);
+    JointVector<double> step = plain ? *plain : step_of(at, frozen, accuracy);
     const double size = step.cwiseAbs().maxCoeff();
     if (size > kLongest) step *= kLongest / size;
-    place = place_at(arm, pose, place.values + in_joints<double>(arm, step));
-    if (size < enough) break;
+    here += in_joints<double>(arm, step);
+    if (size < enough) {  // so near the screws are the same
+      at.error -= at.screws * step;
+      break;
+    }
+    at = linearized(arm, pose, here);
   }
-  return place;
+  return {here, size_of(at.error), at};
 }
 
 std::optional<SetPlace> moved(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from,

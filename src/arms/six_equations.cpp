@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace moivre {
@@ -50,7 +51,57 @@ std::array<double, kSize> back_substituted(const Rows& rows) {
   return x;
 }
 
+template <std::size_t k>
+using Number = std::integral_constant<std::size_t, k>;
+
+/// Numbers that the compiler knows, so that loops behind them have no counters.
+template <class F>
+void for_each_of_six(const F& take) {
+  [&]<std::size_t... k>(std::index_sequence<k...>) { (take(Number<k>()), ...); }
+  (std::make_index_sequence<kSize>());
+}
+
+/// Of symmetric rows the lower half.
+template <std::size_t k>
+void eliminate_below(SixFactors& factors) {
+  double* const L = factors.L.data();
+  const double pivot = L[kSize * k + k];
+  factors.least = k == 0 ? pivot : std::min(factors.least, pivot);
+  factors.largest = std::max(factors.largest, pivot);
+  factors.share[k] = 1 / pivot;
+  std::array<double, kSize> below;
+  for (std::size_t i = k + 1; i < kSize; ++i) {
+    below[i] = L[kSize * k + i];
+    L[kSize * k + i] *= factors.share[k];
+  }
+  for (std::size_t j = k + 1; j < kSize; ++j) {
+    for (std::size_t i = j; i < kSize; ++i) L[kSize * j + i] -= L[kSize * k + j] * below[i];
+  }
+}
+
 }  // namespace
+
+SixFactors factors_of(const Matrix6d& A) {
+  SixFactors factors;
+  factors.L = A;
+  for_each_of_six([&]<std::size_t k>(Number<k>) { eliminate_below<k>(factors); });
+  return factors;
+}
+
+Velocity6<double> solution_of(const SixFactors& factors, const Velocity6<double>& b) {
+  const double* const L = factors.L.data();
+  Velocity6<double> solution = b;
+  double* const x = solution.data();
+  for_each_of_six([&]<std::size_t k>(Number<k>) {
+    for (std::size_t i = k + 1; i < kSize; ++i) x[i] -= L[kSize * k + i] * x[k];
+  });
+  for_each_of_six([&]<std::size_t k>(Number<k>) {
+    constexpr std::size_t kRow = kSize - 1 - k;
+    x[kRow] *= factors.share[kRow];
+    for (std::size_t i = kRow + 1; i < kSize; ++i) x[kRow] -= L[kSize * kRow + i] * x[i];
+  });
+  return solution;
+}
 
 SixSolved solve_six(const Matrix6d& A, const Velocity6<double>& b) {
   Rows rows = rows_of(A, b);
@@ -69,24 +120,8 @@ SixSolved solve_six(const Matrix6d& A, const Velocity6<double>& b) {
 }
 
 SixSolved solve_symmetric_six(const Matrix6d& A, const Velocity6<double>& b) {
-  Rows rows = rows_of(A, b);
-  std::array<std::size_t, kSize> place{0, 1, 2, 3, 4, 5};
-  SixSolved solved;
-  for (std::size_t k = 0; k < kSize; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < kSize; ++i) {
-      if (std::abs(rows[i][i]) > std::abs(rows[pivot][pivot])) pivot = i;
-    }
-    if (pivot != k) {
-      std::swap(rows[pivot], rows[k]);
-      for (Row& row : rows) std::swap(row[pivot], row[k]);
-      std::swap(place[pivot], place[k]);
-    }
-    if (!eliminate(rows, k, solved)) return solved;
-  }
-  const auto x = back_substituted(rows);
-  for (std::size_t k = 0; k < kSize; ++k) solved.x[static_cast<Eigen::Index>(place[k])] = x[k];
-  return solved;
+  const SixFactors factors = factors_of(A);
+  return {solution_of(factors, b), factors.least, factors.largest};
 }
 
 Matrix6d gram_of(const Matrix6d& A) {

@@ -6,6 +6,8 @@
 // the module.
 #pragma once
 
+#include <array>
+
 #include "tip.h"
 
 namespace moivre {
@@ -20,7 +22,17 @@ struct SixSolved {
 /// A x = b, rows by the largest pivot.
 SixSolved solve_six(const Matrix6d& A, const Velocity6<double>& b);
 
-/// Of a symmetric matrix without negative eigenvalues, rows and columns by the largest pivot.
+/// L D L^T of a symmetric matrix without negative eigenvalues, as it stands: for these no order of
+/// rows is better.
+struct SixFactors {
+  Matrix6d L;                     ///< below its diagonal
+  std::array<double, 6> share{};  ///< 1 / pivot
+  double least = 0, largest = 0;  ///< pivots; no solution unless `least` is above 0
+};
+SixFactors factors_of(const Matrix6d& A);
+Velocity6<double> solution_of(const SixFactors& factors, const Velocity6<double>& b);
+
+/// Both at once.
 SixSolved solve_symmetric_six(const Matrix6d& A, const Velocity6<double>& b);
 
 /// A^T A

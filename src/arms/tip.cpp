@@ -1,17 +1,42 @@
 // SPDX-License-Identifier: MIT
-// Real joint values, of which most are: nothing is multiplied by 0, nor kept twice.
+// Real joint values, of which most are: columns of four numbers, which processors take by twos.
 #include "tip.h"
 
 namespace moivre {
 namespace {
 
-/// R b, of numbers in a row: many of a typed displacement are 0.
-inline void combine(const Eigen::Matrix3d& R, const double* b, double* v) {
-  const double* const r = R.data();
-  v[0] = v[1] = v[2] = 0;
-  for (int k = 0; k < 3; ++k) {
-    if (b[k] == 0) continue;
-    for (int i = 0; i < 3; ++i) v[i] += r[3 * k + i] * b[k];
+using Column = Eigen::Vector4d;  // its last number is 0
+struct Columns {
+  Column x = Column::UnitX(), y = Column::UnitY(), z = Column::UnitZ();
+};
+
+/// R b, of numbers in a row.
+inline Column combined(const Columns& R, const double* b) {
+  return R.x * b[0] + R.y * b[1] + R.z * b[2];
+}
+
+inline void put(const Column& from, double* to) {
+  for (int i = 0; i < 3; ++i) to[i] = from[i];
+}
+
+/// Columns x and y of R, turned about the third one.
+inline void turn(Column& x, Column& y, double c, double s) {
+  const Column before = x;
+  x = c * before + s * y;
+  y = c * y - s * before;
+}
+
+inline void turn(Columns& R, const Eigen::Vector3d& axis, double angle) {
+  const double s = std::sin(angle), c = std::cos(angle);
+  if (std::abs(axis.z()) == 1) {
+    turn(R.x, R.y, c, axis.z() * s);
+  } else if (std::abs(axis.y()) == 1) {
+    turn(R.z, R.x, c, axis.y() * s);
+  } else if (std::abs(axis.x()) == 1) {
+    turn(R.y, R.z, c, axis.x() * s);
+  } else {
+    const Eigen::Matrix3d by = turn_about<double>(axis, angle);
+    R = {combined(R, by.data()), combined(R, by.data() + 3), combined(R, by.data() + 6)};
   }
 }
 
@@ -23,26 +48,21 @@ TipMotion<double> tip_motion<double>(const Arm& arm, const JointVector<double>& 
   const auto n = static_cast<Eigen::Index>(arm.joints.size());
   TipMotion<double> motion;
   motion.screws.resize(6, n);
-  Eigen::Matrix3d& R = motion.tip.R;
-  Eigen::Vector3d& p = motion.tip.p;
-  R.setIdentity();
-  p.setZero();
+  Columns R;
+  Column p = Column::Zero();
   const auto go = [&](const Eigen::Isometry3d& displacement) {
     const double* const by = displacement.data();
-    Eigen::Vector3d shift;
-    combine(R, by + 3 * kColumn, shift.data());
-    p += shift;
-    Eigen::Matrix3d next;
-    for (Eigen::Index k = 0; k < 3; ++k) combine(R, by + k * kColumn, next.col(k).data());
-    R = next;
+    p += combined(R, by + 3 * kColumn);
+    R = {combined(R, by), combined(R, by + kColumn), combined(R, by + 2 * kColumn)};
   };
   for (Eigen::Index k = 0; k < n; ++k) {
     const ArmJoint& joint = arm.joints[static_cast<std::size_t>(k)];
     go(joint.before);
-    Eigen::Vector3d axis;
-    combine(R, joint.axis.data(), axis.data());
+    const Column axis = combined(R, joint.axis.data());
     // A turn's place, until the tip's is known.
-    motion.screws.col(k) << (joint.is_slide ? axis : p), axis;
+    double* const screw = motion.screws.data() + 6 * k;
+    put(joint.is_slide ? axis : p, screw);
+    put(axis, screw + 3);
     if (joint.is_slide) {
       p += axis * q[k];
       motion.screws.col(k).tail<3>().setZero();
@@ -51,6 +71,10 @@ TipMotion<double> tip_motion<double>(const Arm& arm, const JointVector<double>& 
     }
   }
   go(arm.tool);
+  put(R.x, motion.tip.R.data());
+  put(R.y, motion.tip.R.data() + 3);
+  put(R.z, motion.tip.R.data() + 6);
+  put(p, motion.tip.p.data());
   const double share = 1 / arm.length;
   for (Eigen::Index k = 0; k < n; ++k) {
     if (arm.joints[static_cast<std::size_t>(k)].is_slide) continue;

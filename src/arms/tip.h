@@ -76,24 +76,6 @@ void turn(Eigen::Matrix<S, 3, 3>& R, const Eigen::Vector3d& axis, const S& angle
   R = product<S, S>(R, turn_about<S>(axis, angle));
 }
 
-/// Real axes along x, y or z, as most are, turn two columns.
-inline void turn(Eigen::Matrix3d& R, const Eigen::Vector3d& axis, double angle) {
-  for (Eigen::Index k = 0; k < 3; ++k) {
-    if (std::abs(axis[k]) != 1) continue;
-    const double s = axis[k] * std::sin(angle);
-    const double c = std::cos(angle);
-    double* const x = R.data() + 3 * ((k + 1) % 3);
-    double* const y = R.data() + 3 * ((k + 2) % 3);
-    for (int i = 0; i < 3; ++i) {
-      const double before = x[i];
-      x[i] = c * before + s * y[i];
-      y[i] = c * y[i] - s * before;
-    }
-    return;
-  }
-  turn<double>(R, axis, angle);
-}
-
 template <class S>
 TipMotion<S> tip_motion(const Arm& arm, const JointVector<S>& q) {
   using Vector = Eigen::Matrix<S, 3, 1>;
