@@ -7,6 +7,7 @@
 #include <functional>
 #include <mutex>
 #include <span>
+#include <variant>
 
 #include "moivre/arms/rules.h"
 #include "moivre/expression/counted.h"
@@ -14,6 +15,7 @@
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/numeric/threads.h"
 #include "observed_results.h"
+#include "pair_formula.h"
 #include "pose_closures.h"
 #include "pose_family.h"
 
@@ -33,10 +35,8 @@ void tell_followed(const PreparedArm& prepared, const KnownOfPose& known, ArmRes
   std::uint64_t roots = 0;
   for (const ArmBeginning& beginning : prepared.beginnings) roots += beginning.regular.roots.size();
   result.start.kind = known.by_formula ? "formula" : known.is_any() ? "family" : "approach";
-  result.start.why =
-      known.by_formula
-          ? "a formula for neighbours that meet or are parallel; as many as a regular pose has"
-          : "the " + counted(roots, "closure") + " of a regular pose";
+  result.start.why = known.by_formula ? "a formula proposes them; as many as a regular pose has"
+                                      : "the " + counted(roots, "closure") + " of a regular pose";
   result.start.paths = roots;
   result.paths = {};
   result.paths.tracked = result.paths.finite = roots;
@@ -52,22 +52,35 @@ TypedPose workable(const TypedPose& pose, const std::string& name) {
   return {workable_pose(pose.pose, name), pose.accuracy};
 }
 
+using PoseFormula = std::variant<GroupFormula, PairFormula>;
+
 /// An arm whose poses are many: prepared once, with a family where that pays.
 struct PreparedList {
   PreparedArm prepared;
-  std::optional<GroupFormula> formula;  ///< of an arm with one beginning, tried at its regular pose
+  std::optional<PoseFormula> formula;  ///< of an arm with one beginning, tried at its regular pose
   std::optional<PoseFamily> family;
   double share = 0;  ///< seconds that each pose has of it
 };
 
+/// All closures of a pose, where the formula leads to as many as the regular pose has.
+std::optional<FoundClosures> closures_by(const PoseFormula& formula, const ArmBeginning& beginning,
+                                         const Eigen::Isometry3d& pose) {
+  const auto proposed =
+      std::visit([&](const auto& of_arm) { return proposed_closures(of_arm, pose); }, formula);
+  return closures_proposed(proposed, beginning.six.arm, pose, beginning.regular.roots.size());
+}
+
 /// Where it finds all closures of the regular pose.
-std::optional<GroupFormula> formula_of(const ArmBeginning& beginning) {
-  const RegularPose& regular = beginning.regular;
-  auto formula = group_formula(beginning.six.arm, regular.cut);
-  if (!formula) return std::nullopt;
-  const auto found =
-      closures_by_formula(*formula, beginning.six.arm, regular.pose, regular.roots.size());
-  return found ? formula : std::nullopt;
+std::optional<PoseFormula> formula_of(const ArmBeginning& beginning, std::uint64_t seed) {
+  const Arm& six = beginning.six.arm;
+  std::optional<PoseFormula> formula;
+  if (beginning.formula) {
+    formula = *beginning.formula;
+  } else if (auto pair = pair_formula(six, seed)) {
+    formula = std::move(*pair);
+  }
+  if (formula && !closures_by(*formula, beginning, beginning.regular.pose)) return std::nullopt;
+  return formula;
 }
 
 PreparedList prepare_list(const Arm& arm, std::size_t poses, const Tracker& tracker,
@@ -77,7 +90,7 @@ PreparedList prepare_list(const Arm& arm, std::size_t poses, const Tracker& trac
   const PreparedArm& prepared = list.prepared;
   const bool has_one_count = options.start == StartKind::automatic && !prepared.is_always_moving &&
                              prepared.is_complete && prepared.beginnings.front().regular.far == 0;
-  if (has_one_count) list.formula = formula_of(prepared.beginnings.front());
+  if (has_one_count) list.formula = formula_of(prepared.beginnings.front(), options.seed);
   if (has_one_count && !list.formula && poses >= kWorthAFamily) {
     const Arm& six = prepared.beginnings.front().six.arm;
     list.family = learn_pose_family(six, tracker, prepared.options, stop);
@@ -163,9 +176,7 @@ class PoseList {
 
   std::optional<FoundClosures> by_formula(std::size_t pose) const {
     if (!list_.formula) return std::nullopt;
-    const ArmBeginning& beginning = list_.prepared.beginnings.front();
-    return closures_by_formula(*list_.formula, beginning.six.arm, poses_[pose].pose,
-                               beginning.regular.roots.size());
+    return closures_by(*list_.formula, list_.prepared.beginnings.front(), poses_[pose].pose);
   }
 
   ArmResult solve_one(std::size_t pose, const KnownOfPose& known) const {

@@ -117,25 +117,31 @@ bool are_all_different(const FoundClosures& found) {
 
 }  // namespace
 
-std::optional<FoundClosures> closures_by_formula(const GroupFormula& formula, const Arm& arm,
-                                                 const Eigen::Isometry3d& pose,
-                                                 std::size_t closures) {
-  const ProposedClosures proposed = proposed_closures(formula, pose);
-  if (proposed.reals + 2 * proposed.pair_count != closures) return std::nullopt;
+std::optional<FoundClosures> closures_proposed(const ProposedClosures& proposed, const Arm& arm,
+                                               const Eigen::Isometry3d& pose,
+                                               std::size_t closures) {
   FoundClosures found;
   found.real.reserve(proposed.reals);
   found.pairs.reserve(proposed.pair_count);
   const Placement<Complex> wanted = complex_placement(pose);
-  for (std::size_t k = 0; k < proposed.pair_count; ++k) {
+  // Of more proposals than closures some lead to none.
+  std::size_t expected = proposed.reals + 2 * proposed.pair_count;
+  for (std::size_t k = 0; k < proposed.pair_count && expected >= closures; ++k) {
     ConjugatePair& pair = found.pairs.emplace_back();
     pair.values = proposed.pairs[k];
-    if (!settle(arm, wanted, pair)) return std::nullopt;
+    if (settle(arm, wanted, pair)) continue;
+    found.pairs.pop_back();
+    expected -= 2;
   }
-  for (std::size_t k = 0; k < proposed.reals; ++k) {
+  for (std::size_t k = 0; k < proposed.reals && expected >= closures; ++k) {
     auto real = settled(arm, pose, proposed.real[k]);
-    if (!real) return std::nullopt;
-    found.real.push_back(std::move(*real));
+    if (real) {
+      found.real.push_back(std::move(*real));
+    } else {
+      --expected;
+    }
   }
+  if (expected != closures) return std::nullopt;
   if (!are_all_different(found)) return std::nullopt;
   return found;
 }

@@ -36,10 +36,9 @@ struct FoundClosures {
   std::vector<ConjugatePair> pairs;
 };
 
-/// All closures, where they are found to be `closures`.
-std::optional<FoundClosures> closures_by_formula(const GroupFormula& formula, const Arm& arm,
-                                                 const Eigen::Isometry3d& pose,
-                                                 std::size_t closures);
+/// All closures, where what is proposed leads to `closures` of them.
+std::optional<FoundClosures> closures_proposed(const ProposedClosures& proposed, const Arm& arm,
+                                               const Eigen::Isometry3d& pose, std::size_t closures);
 
 /// The same as ends of paths.
 std::vector<ApproachEnd> ends_of(const FoundClosures& found);

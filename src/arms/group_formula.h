@@ -55,7 +55,7 @@ struct GroupFormula {
 };
 
 struct ProposedClosures {
-  static constexpr std::size_t kMost = 8;
+  static constexpr std::size_t kMost = 16;
   std::array<Eigen::Matrix<double, 6, 1>, kMost> real;
   std::array<Eigen::Matrix<Complex, 6, 1>, kMost> pairs;  ///< one of two conjugate ones
   std::size_t reals = 0, pair_count = 0;

@@ -10,7 +10,6 @@
 #include "moivre/family/learn.h"
 #include "random_values.h"
 #include "read_back.h"
-#include "typed_displacement.h"
 
 namespace moivre {
 namespace {
@@ -19,27 +18,9 @@ namespace {
 /// of numbers near 1.
 constexpr double kStructuralZero = 1e-13;
 
-/// The pose's inverse, lengths in units of 2^exponent.
-RealDisplacement back_from(const Eigen::Isometry3d& pose, int exponent) {
-  const Eigen::Quaterniond q(pose.linear());
-  const Eigen::Vector3d t = std::ldexp(0.5, -exponent) * pose.translation();
-  const RealDisplacement turn{{q.w(), q.x(), q.y(), q.z()}, {}};
-  const RealDisplacement shift{{1, 0, 0, 0}, {0, t.x(), t.y(), t.z()}};
-  return conjugate(shift * turn);
-}
-
-/// The loop that the pose closes, rounded.
-Loop loop_at(const PoseFamily& poses, const Eigen::Isometry3d& pose) {
-  Loop loop = poses.loop;
-  LoopJoint& first = loop.joints.front();
-  first.rounded.before =
-      unit(poses.tool * back_from(pose, loop.unit_exponent) * first.rounded.before);
-  return loop;
-}
-
 /// The member that the loop is.
 Point member_of(const PoseFamily& poses, const Loop& loop) {
-  const auto products = outside_product(loop, poses.cut, &LoopJoint::rounded);
+  const auto products = outside_product(loop, poses.loop.cut, &LoopJoint::rounded);
   Point member;
   for (std::size_t i = 0; i < poses.forms.size(); ++i) {
     for (const std::size_t bits : poses.terms[i]) {
@@ -53,9 +34,10 @@ Point member_of(const PoseFamily& poses, const Loop& loop) {
 System typical_system(const Arm& arm, PoseFamily& poses, std::uint64_t seed) {
   constexpr std::uint64_t kTypical = 1000;
   const Eigen::Isometry3d pose = forward_kinematics(arm, random_joint_values(arm, seed, kTypical));
-  const auto products = outside_product(loop_at(poses, pose), poses.cut, &LoopJoint::rounded);
+  const auto products =
+      outside_product(loop_at(poses.loop, pose), poses.loop.cut, &LoopJoint::rounded);
   System system;
-  system.variables = tangent_names(poses.cut);
+  system.variables = tangent_names(poses.loop.cut);
   for (const RealDisplacement& form : poses.forms) {
     std::vector<double> row;
     for (const RealDisplacement& product : products) row.push_back(value(form, product));
@@ -84,7 +66,8 @@ std::vector<ApproachEnd> ends_of(const PoseFamily& poses, const Arm& arm,
   std::vector<ApproachEnd> ends;
   const Placement<Complex> wanted = complex_placement(pose);
   for (const auto& solution : roots.roots) {
-    for (const LoopRoot& root : read_back(loop, poses.cut, solution.x, solution.accuracy).roots) {
+    for (const LoopRoot& root :
+         read_back(loop, poses.loop.cut, solution.x, solution.accuracy).roots) {
       ApproachEnd& end = ends.emplace_back();
       end.values = values_of(loop, root);
       if (!correct_at(arm, wanted, end.values, kMovedByMeaning, end.accuracy)) return {};
@@ -101,12 +84,11 @@ std::optional<PoseFamily> learn_pose_family(const Arm& arm, const Tracker& track
                                             const SolveOptions& options,
                                             const std::atomic<bool>& stop) {
   PoseFamily poses;
-  poses.loop = open_loop(arm, options.seed);
-  poses.cut = choose_cut(poses.loop, CutPlace::away_from_pose);
-  if (poses.cut.kind != CutKind::two && poses.cut.kind != CutKind::three) return std::nullopt;
-  poses.tool = rounded(in_unit(arm.exact_tool, poses.loop.unit_exponent));
-  for (const ExactDisplacement& form : poses.cut.forms) poses.forms.push_back(unit(rounded(form)));
-  const std::size_t unknowns = poses.cut.outside.size();
+  poses.loop = pose_loop(arm, options.seed);
+  const Cut& cut = poses.loop.cut;
+  if (cut.kind != CutKind::two && cut.kind != CutKind::three) return std::nullopt;
+  for (const ExactDisplacement& form : cut.forms) poses.forms.push_back(unit(rounded(form)));
+  const std::size_t unknowns = cut.outside.size();
   if (unknowns < poses.forms.size()) {
     poses.forms = combinations(poses.forms, unknowns, options.seed);
     for (RealDisplacement& form : poses.forms) form = unit(form);
@@ -129,7 +111,7 @@ std::vector<std::vector<ApproachEnd>> follow_poses(const PoseFamily& poses, cons
   std::vector<Loop> loops;
   std::vector<Point> members;
   for (const TypedPose& pose : wanted) {
-    loops.push_back(loop_at(poses, pose.pose));
+    loops.push_back(loop_at(poses.loop, pose.pose));
     members.push_back(member_of(poses, loops.back()));
   }
   SolveOptions plain = options;

@@ -17,17 +17,15 @@
 #include <vector>
 
 #include "approach.h"
-#include "cut.h"
 #include "moivre/arms/arm_closures.h"
 #include "moivre/family/members.h"
+#include "pose_loop.h"
 
 namespace moivre {
 
 struct PoseFamily {
-  Loop loop;  ///< its first joint without tool and pose
-  Cut cut;
+  PoseLoop loop;
   std::vector<RealDisplacement> forms;  ///< the cut's, or random combinations of them, of norm 1
-  RealDisplacement tool = RealDisplacement::identity();
   std::vector<std::vector<std::size_t>> terms;  ///< of each equation: monomials, bit k for t_k+1
   Family family;
 };
