@@ -35,6 +35,15 @@ bool is_among(const Arm& arm, const JointVector<Complex>& values,
   });
 }
 
+/// Of turns alone: a slide may go anywhere, and double knows where.
+bool is_far(const Arm& arm, const JointVector<Complex>& values) {
+  for (Eigen::Index k = 0; k < values.size(); ++k) {
+    const bool is_slide = arm.joints[static_cast<std::size_t>(k)].is_slide;
+    if (!is_slide && std::abs(values[k].imag()) > kFar) return true;
+  }
+  return false;
+}
+
 /// False where a root could not be put right, or is there twice.
 bool read_roots(const Arm& arm, const Loop& loop, RegularPose& regular) {
   const Placement<Complex> pose = complex_placement(regular.pose);
@@ -51,7 +60,7 @@ bool read_roots(const Arm& arm, const Loop& loop, RegularPose& regular) {
     for (const LoopRoot& root : read.roots) {
       JointVector<Complex> values = values_of(loop, root);
       double accuracy = 0;
-      if (values.imag().cwiseAbs().maxCoeff() > kFar) {
+      if (is_far(arm, values)) {
         ++regular.far;
         continue;
       }

@@ -153,8 +153,9 @@ TEST(ManyPosesTest, PosesOfAGeneralArmWithASlideAreAnsweredByTheFamily) {
   const auto poses = random_poses(arm, 20);
   const auto many = find_arm_closures(arm, poses, lanes(), one_thread());
   EXPECT_GE(answered_by(many, "family"), 19U);
+  // With seed 7 the regular pose has closures at which the slide is far from real.
   for (std::size_t k = 0; k < 3; ++k) {
-    expect_same(arm, many[k], find_arm_closures(arm, poses[k], lanes(), one_thread(1)));
+    expect_same(arm, many[k], find_arm_closures(arm, poses[k], lanes(), one_thread(k + 5)));
   }
 }
 
