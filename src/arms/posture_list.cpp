@@ -88,6 +88,7 @@ ArmClosure closure_of(const PostureList& list, const Polished& polished) {
   closure.residual = polished.residual;
   closure.newton_iterations = polished.iterations;
   closure.smallest_singular_value = polished.smallest_singular_value;
+  closure.singular = polished.smallest_singular_value <= kRounding;
   closure.weakest = weakest_motion(arm, polished);
   closure.moved_by_digits = arm.rounding / std::max(polished.smallest_singular_value, 1e-300);
   closure.within_digits = polished.residual > list.accuracy;

@@ -158,7 +158,7 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
       const std::uint64_t arrived = counts ? ++seen.paths_to[entry.index] : 0;
       if (arrived == 1 || entry.is_new) closure.path = beginning.regular.roots[k].path;
       closure.multiplicity = std::max(closure.multiplicity, arrived);
-      closure.singular = closure.multiplicity > 1;
+      closure.singular = closure.singular || closure.multiplicity > 1;
       if (counts || entry.is_new) ++result.counts.complex;
       continue;
     }
