@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <tuple>
 
 namespace moivre::elimination {
 namespace {
@@ -74,11 +76,18 @@ std::optional<Pivot> choose_pivot(const State& s, const Census& census,
   double terms = 0;
   for (const Row& row : s.rows) terms += static_cast<double>(row.p().terms.size());
   const std::vector<double> room = rooms(s, unknowns_left(s) - 1);
+  double shrinks = 0;  // what all rows lose where nothing grows
+  for (const double terms_more : room) shrinks += std::min(0.0, terms_more);
   for (std::size_t i = 0; i < s.rows.size(); ++i) {
     if (s.rows[i].degree() != 1 || refused.count(s.rows[i].origin) != 0) continue;
     if (limits.is_over()) return std::nullopt;
-    PowerTerms powers(static_cast<double>(s.rows[i].p().terms.size()) - 1);
+    const auto terms_here = static_cast<double>(s.rows[i].p().terms.size());
+    const double least = terms_here > 1 ? shrinks - std::min(0.0, room[i]) - terms_here
+                                        : -std::numeric_limits<double>::infinity();
+    PowerTerms powers(terms_here - 1);
     for (const Divisor& d : s.rows[i].equation->divisors) {
+      // Its fill is no less than that: in dense linear equations hardly any has to be estimated.
+      if (best && std::tie(best->fill, d.size_log2) <= std::tie(least, best->size_log2)) continue;
       const double fill = estimated_fill(s, census, d.variable, i, powers, room);
       if (fill > kHopelessFill * terms + kCheapTrial) continue;
       if (!best || fill < best->fill || (fill == best->fill && d.size_log2 > best->size_log2)) {
