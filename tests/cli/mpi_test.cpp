@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "problems.h"
@@ -34,10 +36,43 @@ Words of_ranks(int ranks, const Words& call) {
   return together({"-n", std::to_string(ranks), MOIVRE_MPI_PROGRAM}, call);
 }
 
-/// `meanwhile` is told the process of mpirun.
+std::vector<int> children_of(int process) {
+  const std::string name = std::to_string(process);
+  std::ifstream file("/proc/" + name + "/task/" + name + "/children");
+  std::vector<int> children;
+  for (int child = 0; file >> child;) children.push_back(child);
+  return children;
+}
+
+/// Also where there is no such process.
+bool has_ended(int process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  const std::string stat((std::istreambuf_iterator<char>(file)), {});
+  const std::size_t name_end = stat.rfind(") ");
+  return name_end == std::string::npos || stat[name_end + 2] == 'Z';
+}
+
+/// When a rank was killed OpenMPI's mpirun may wait for itself once all ranks have ended (a lock of
+/// PMIx): it is killed then.
+void end_hanging(int mpirun) {
+  constexpr int kLooks = 1200, kPatience = 50;
+  constexpr useconds_t kLook = 100'000;
+  for (int look = 0, ended = 0; look < kLooks && ended < kPatience; ++look) {
+    if (has_ended(mpirun)) return;
+    const std::vector<int> ranks = children_of(mpirun);
+    ended = std::all_of(ranks.begin(), ranks.end(), has_ended) ? ended + 1 : 0;
+    ::usleep(kLook);
+  }
+  ::kill(mpirun, SIGKILL);
+}
+
+/// `meanwhile` is told the process of mpirun, and kills a rank.
 Outcome run_ranks(const Scene& scene, int ranks, const Words& call,
                   const std::function<void(int)>& meanwhile) {
-  return scene.run_program(MOIVRE_MPIRUN, of_ranks(ranks, call), meanwhile);
+  return scene.run_program(MOIVRE_MPIRUN, of_ranks(ranks, call), [&](int mpirun) {
+    meanwhile(mpirun);
+    end_hanging(mpirun);
+  });
 }
 
 /// Ranks that wait for each other are ended after two minutes, with an exit code of 124 or 137.
@@ -191,13 +226,10 @@ TEST(Ranks, OnlyTheFirstTells) {
 
 /// The processes that mpirun has started, when all are there.
 std::vector<int> ranks_of(int mpirun, std::size_t wanted) {
-  const std::string process = std::to_string(mpirun);
   std::vector<int> ranks;
   for (int look = 0; look < 1000 && ranks.size() < wanted; ++look) {
     ::usleep(10'000);
-    ranks.clear();
-    std::ifstream children("/proc/" + process + "/task/" + process + "/children");
-    for (int rank = 0; children >> rank;) ranks.push_back(rank);
+    ranks = children_of(mpirun);
   }
   return ranks;
 }
