@@ -67,6 +67,19 @@ TEST(Remedies, RootsBesideACurveOnWhichTheEquationsAllButVanishAreNoPointsOfIt) 
   EXPECT_TRUE(result.on_sets.empty());
 }
 
+// Where a curve lies in the plane x = 0 exact algebra counts no roots. Double-double leaves ten of
+// the forty without an end.
+TEST(Remedies, TwentyNeighboursBesideACurveAreFollowedInMoreDigitsThanDoubleDouble) {
+  std::string wilkinson = "x";
+  for (int k = 1; k <= 20; ++k) wilkinson += "*(y - " + std::to_string(k) + ")";
+  const System f = read("3\n " + wilkinson + ";\n x*(x - 2 - y);\n z^2 - y*z - 3 - x;\n");
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const SolveResult result = solve(f, *make_lane_tracker(), with_seed(seed));
+    EXPECT_EQ(result.completeness, RootCompleteness::proved) << seed;
+    EXPECT_EQ(certified_roots(result), 40U) << seed;
+  }
+}
+
 // Beside a simple root no circle closes around the sixfold one alone.
 TEST(Remedies, MultipleRootsThatNoPathShowsAreToldByTheQuotientRing) {
   const System f = read(
