@@ -31,6 +31,7 @@ struct ApproachEnd {
   double accuracy = 0;   ///< of a regular end: its last Newton step
   double remaining = 1;  ///< 1 - s
   double to_go = 0;  ///< of a singular end: how far its last velocity leads on the remaining way
+  std::uint64_t path = 0;  ///< that found the closure which it comes from
 };
 
 /// How the tip goes from one pose to another.

@@ -34,6 +34,7 @@ std::vector<ApproachEnd> approach_all(const ArmBeginning& beginning, const Eigen
     ends.clear();
     for (const RegularRoot& root : beginning.regular.roots) {
       ends.push_back(approach(beginning.six.arm, way, root.values, contraction));
+      ends.back().path = root.path;
     }
     is_consistent = are_different(beginning.six.arm, ends);
     // A conjugate may be one of those that are not followed.
@@ -42,6 +43,11 @@ std::vector<ApproachEnd> approach_all(const ArmBeginning& beginning, const Eigen
     contraction *= kMoreCareful;
   }
   return ends;
+}
+
+/// Not only within digits.
+bool can_move(const PostureList& list) {
+  return std::any_of(list.moves.begin(), list.moves.end(), is_exact);
 }
 
 /// Searches from random postures: for sets, of which paths show few postures, and as a witness that
@@ -69,11 +75,6 @@ std::string number_text(double x) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2g", x);
   return text;
-}
-
-/// Not only within digits.
-bool can_move(const PostureList& list) {
-  return std::any_of(list.moves.begin(), list.moves.end(), is_exact);
 }
 
 /// However the joints turn, all links in a row do not reach so far.
@@ -109,17 +110,6 @@ std::string message_of(const Arm& arm, const PostureList& list, const ArmResult&
   return text;
 }
 
-/// Closures far from real may be real next to singular postures.
-bool may_have_become_real(const ArmBeginning& beginning, const std::vector<ApproachEnd>& ends,
-                          const PostureList& list) {
-  constexpr double kNearlySingular = 0.02;
-  if (beginning.regular.far == 0) return false;
-  if (list.closures.empty() || !without_conjugate(beginning.six.arm, ends).empty()) return true;
-  return std::any_of(list.closures.begin(), list.closures.end(), [](const ArmClosure& closure) {
-    return closure.smallest_singular_value < kNearlySingular;
-  });
-}
-
 /// What is gathered while one pose is solved.
 struct PoseSearch {
   const PreparedArm& prepared;
@@ -140,27 +130,50 @@ PoseSearch begin_search(const PreparedArm& prepared, const TypedPose& at) {
           std::vector<PathsSeen>(prepared.beginnings.size())};
 }
 
+/// What is far from real at the regular pose may be real at this one.
+SolvedPose far_ones_too(const PoseSearch& pose, const ArmBeginning& beginning,
+                        const Tracker& tracker, const std::atomic<bool>& stop) {
+  if (beginning.regular.far == 0) return {};
+  return solve_at(beginning.six.arm, pose.list.pose, tracker, pose.prepared.options, stop);
+}
+
+/// As many as at the regular pose, and with each its conjugate.
+bool are_all(const ArmBeginning& beginning, const SolvedPose& at) {
+  const RegularPose& regular = beginning.regular;
+  return at.are_right && at.closures.size() + at.far == regular.roots.size() + regular.far &&
+         without_conjugate(beginning.six.arm, at.closures).empty();
+}
+
+/// Of ends that no paths led to.
+std::vector<ApproachEnd> with_paths(const ArmBeginning& beginning, std::vector<ApproachEnd> ends) {
+  for (std::size_t k = 0; k < ends.size(); ++k) ends[k].path = beginning.regular.roots[k].path;
+  return ends;
+}
+
 /// The paths of one beginning, or what is known of their ends.
 void enter_ends(PoseSearch& pose, std::size_t k, const KnownOfPose& known, const Tracker& tracker,
                 const std::atomic<bool>& stop) {
   const ArmBeginning& beginning = pose.prepared.beginnings[k];
   PostureList& list = pose.list;
   ArmResult& result = pose.result;
-  bool is_consistent = known.is_any();
-  const auto ends = known.by_formula ? ends_of(*known.by_formula)
-                    : is_consistent  ? known.by_family
+  const SolvedPose at = far_ones_too(pose, beginning, tracker, stop);
+  const bool is_solved = are_all(beginning, at);
+  bool is_consistent = known.is_any() || is_solved;
+  const auto ends = known.by_formula ? with_paths(beginning, ends_of(*known.by_formula))
+                    : known.is_any() ? with_paths(beginning, known.by_family)
+                    : is_solved      ? at.closures
                                      : approach_all(beginning, list.pose, list.seed, is_consistent);
   const bool are_read = read_ends(beginning, ends, list, result, pose.seen[k]);
   result.complete = result.complete && is_consistent && are_read;
-  if (may_have_become_real(beginning, ends, list)) {
-    const StartsAtPose starts =
-        starts_at(beginning.six.arm, list.pose, tracker, pose.prepared.options, stop);
-    for (const Eigen::VectorXd& start : starts.values) {
-      enter(list, own_values(beginning.six, start), false);
-    }
-    result.complete = result.complete && starts.complete;
+  if (beginning.regular.far == 0) return;
+  for (const Eigen::VectorXd& start : at.nearly_real) {
+    enter(list, own_values(beginning.six, start), false);
   }
-  result.counts.complex += beginning.six.own.size() == kSixJoints ? beginning.regular.far : 0;
+  // Where they are not all, sets may be where the others have gone.
+  result.complete = result.complete && at.complete && (is_solved || can_move(list));
+  if (beginning.six.own.size() == kSixJoints) {
+    result.counts.complex += is_solved ? at.far : beginning.regular.far;
+  }
 }
 
 /// Where paths meet they stop before what they lead to, and may all be read as one of several.

@@ -156,7 +156,7 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
       ArmClosure& closure = list.closures[entry.index];
       // An end elsewhere may have led here before: that was no path of this closure.
       const std::uint64_t arrived = counts ? ++seen.paths_to[entry.index] : 0;
-      if (arrived == 1 || entry.is_new) closure.path = beginning.regular.roots[k].path;
+      if (arrived == 1 || entry.is_new) closure.path = end.path;
       closure.multiplicity = std::max(closure.multiplicity, arrived);
       closure.singular = closure.singular || closure.multiplicity > 1;
       if (counts || entry.is_new) ++result.counts.complex;

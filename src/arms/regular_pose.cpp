@@ -28,10 +28,11 @@ SolveResult solve_outside(const System& system, const Tracker& tracker, SolveOpt
   return solve(system, tracker, options, stop);
 }
 
+template <class Closure>
 bool is_among(const Arm& arm, const JointVector<Complex>& values,
-              const std::vector<RegularRoot>& roots) {
-  return std::any_of(roots.begin(), roots.end(), [&](const RegularRoot& root) {
-    return distance_of(arm, root.values, values) < kSameRoot;
+              const std::vector<Closure>& closures) {
+  return std::any_of(closures.begin(), closures.end(), [&](const Closure& closure) {
+    return distance_of(arm, closure.values, values) < kSameRoot;
   });
 }
 
@@ -108,8 +109,8 @@ Eigen::VectorXd regular_values(const Arm& arm, std::uint64_t seed, std::uint64_t
 
 }  // namespace
 
-StartsAtPose starts_at(const Arm& arm, const Eigen::Isometry3d& pose, const Tracker& tracker,
-                       const SolveOptions& options, const std::atomic<bool>& stop) {
+SolvedPose solve_at(const Arm& arm, const Eigen::Isometry3d& pose, const Tracker& tracker,
+                    const SolveOptions& options, const std::atomic<bool>& stop) {
   /// Roots that are nearer to real than this are tried as closures: double ones leave the real line
   /// by rounding.
   constexpr double kNearlyReal = 0.1;
@@ -117,29 +118,49 @@ StartsAtPose starts_at(const Arm& arm, const Eigen::Isometry3d& pose, const Trac
   const Cut cut = choose_cut(loop);
   const SolveResult solved =
       solve_outside(cut_equations(loop, cut, options.seed), tracker, options, stop);
-  StartsAtPose starts;
-  starts.complete = solved.complete;
+  const Placement<Complex> wanted = complex_placement(pose);
+  SolvedPose at;
+  at.complete = at.are_right = solved.complete;
   for (const Solution& solution : solved.solutions) {
-    for (const LoopRoot& root : read_back(loop, cut, solution.x, solution.accuracy).roots) {
-      const JointVector<Complex> values = values_of(loop, root);
-      if (values.imag().cwiseAbs().maxCoeff() < kNearlyReal) starts.values.push_back(values.real());
+    const ReadBack read = read_back(loop, cut, solution.x, solution.accuracy);
+    if (!read.roots.empty() && (read.moves || solution.multiplicity > 1)) at.are_right = false;
+    for (const LoopRoot& root : read.roots) {
+      ApproachEnd end;
+      end.values = values_of(loop, root);
+      const bool is_nearly_real = end.values.imag().cwiseAbs().maxCoeff() < kNearlyReal;
+      if (is_nearly_real) at.nearly_real.push_back(end.values.real());
+      if (is_far(arm, end.values)) {
+        ++at.far;
+        continue;
+      }
+      const bool is_closure = correct_at(arm, wanted, end.values, kMovedByMeaning, end.accuracy);
+      if (!is_closure || is_among(arm, end.values, at.closures)) at.are_right = false;
+      end.kind = ApproachKind::regular;
+      end.remaining = 0;
+      end.path = solution.path;
+      at.closures.push_back(std::move(end));
     }
   }
-  return starts;
+  return at;
 }
 
 RegularPose find_regular_pose(const Arm& arm, const Tracker& tracker, const SolveOptions& options,
                               const std::atomic<bool>& stop) {
-  constexpr std::uint64_t kTries = 6, kInDouble = 2;
+  constexpr std::uint64_t kTries = 6, kInDouble = 2, kForFar = 3;
   RegularPose best;
-  for (std::uint64_t k = 0; k < kTries && !stop && !best.complete; ++k) {
+  const auto is_wanted = [&](std::uint64_t trial) {
+    return !best.complete || (best.far > 0 && trial < kForFar);
+  };
+  for (std::uint64_t k = 0; k < kTries && !stop && is_wanted(k); ++k) {
     SolveOptions here = options;
     if (k < kInDouble && options.precision == Precision::automatic) {
       here.precision = Precision::double_precision;
     }
     RegularPose regular =
         closures_of_values(arm, regular_values(arm, options.seed, k), tracker, here, stop);
-    const bool is_better = regular.complete || regular.roots.size() > best.roots.size();
+    const bool has_more = regular.roots.size() > best.roots.size();
+    const bool is_better =
+        regular.complete > best.complete || (regular.complete == best.complete && has_more);
     if (k == 0 || is_better) best = std::move(regular);
   }
   return best;

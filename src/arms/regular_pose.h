@@ -8,9 +8,9 @@
 // file's digits stand for, and are a way to find.
 // The pose is that of random joint values, which must be among its closures. Where double does not
 // decide its paths another one is drawn, which costs less than digits; they are taken after that.
-// An arm that misses a special geometry by 1e-3 has closures whose half-angle tangents are +-i
-// within 1e-6. They are counted, and not followed: they become real only next to singular postures,
-// where starts_at() at the pose itself has them.
+// An arm that misses a special geometry by 1e-3, as calibration finds them, has closures whose
+// half-angle tangents are +-i within 1e-6. They are counted, and not followed: where they become
+// real, next to singular postures, solve_at() has them.
 #pragma once
 
 #include <atomic>
@@ -43,13 +43,15 @@ struct RegularPose {
 RegularPose find_regular_pose(const Arm& arm, const Tracker& tracker, const SolveOptions& options,
                               const std::atomic<bool>& stop);
 
-/// Joint values near the real closures of any pose, from its own equations; what is singular there
-/// is so in them.
-struct StartsAtPose {
-  std::vector<Eigen::VectorXd> values;
-  bool complete = false;
+/// The same of any pose, by its own equations.
+struct SolvedPose {
+  std::vector<ApproachEnd> closures;  ///< put right on the arm: regular, all different
+  std::uint64_t far = 0;
+  bool are_right = false;                    ///< what was decided is all in `closures` and `far`
+  std::vector<Eigen::VectorXd> nearly_real;  ///< starts; what is singular at the pose is so in them
+  bool complete = false;                     ///< every path was decided
 };
-StartsAtPose starts_at(const Arm& arm, const Eigen::Isometry3d& pose, const Tracker& tracker,
-                       const SolveOptions& options, const std::atomic<bool>& stop);
+SolvedPose solve_at(const Arm& arm, const Eigen::Isometry3d& pose, const Tracker& tracker,
+                    const SolveOptions& options, const std::atomic<bool>& stop);
 
 }  // namespace moivre

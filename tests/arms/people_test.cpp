@@ -98,6 +98,13 @@ TEST(PeoplesArmsTest, ClosuresOnASurfaceWithinTheDigitsAreListed) {
   expect_listed("irb1200_three_digits", own, 4, 1e-5);
 }
 
+/// Eight closures of this one are so far from real at other poses that no path begins at them.
+TEST(PeoplesArmsTest, ClosuresOfACalibratedArmThatAreFarFromRealElsewhereAreListed) {
+  const Eigen::VectorXd own{
+      {1.5717963268, 0.7853991634, 0.7853982634, 3.1415926536, 0, -1.5707962268}};
+  expect_listed("m10ia_calibrated", own, 8, 1e-9);
+}
+
 void expect_own_on_open_set(const PeoplesArm& peoples) {
   const Arm arm = made_of(peoples);
   const Eigen::VectorXd own = Eigen::Map<const Eigen::VectorXd>(peoples.values[0].data(), 6);
