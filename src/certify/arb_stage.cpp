@@ -380,8 +380,8 @@ bool ArbStage::Work::find_radii(Certificate& result) {
   }
   const auto b = static_cast<double>(bits_);
   const double largest = largest_coordinate();
-  std::vector<double>& rho = result.radius;
-  rho.resize(n_);
+  std::vector<double> rho(n_);
+  std::vector<double> kappa(n_);
   for (const Start& start : kStarts) {
     for (std::size_t j = 0; j < n_; ++j) {
       const double size = std::max(modulus_of(m_[j].get()), start.least_weight * largest);
@@ -389,19 +389,20 @@ bool ArbStage::Work::find_radii(Certificate& result) {
                std::exp2(start.point_bits * b) * size + kLeastRadius;
     }
     for (int attempt = 0; attempt < kAttempts; ++attempt) {
-      image(rho, result.error);
+      image(rho, kappa);
       bool inside = true;
       bool hopeless = false;
       for (std::size_t j = 0; j < n_; ++j) {
-        if (result.error[j] < rho[j]) continue;
+        if (kappa[j] < rho[j]) continue;
         inside = false;
         const double most = attempt == 0 ? kHuge : kHopeless * rho[j];
-        hopeless = hopeless || !(result.error[j] < most);
-        rho[j] = 2 * result.error[j];
+        hopeless = hopeless || !(kappa[j] < most);
+        rho[j] = 2 * kappa[j];
       }
       if (inside) {
-        for (int k = 0; k < kTightenings; ++k) tighten(result.error);
-        return true;
+        for (int k = 0; k < kTightenings; ++k) tighten(kappa);
+        result.sizes.assign(rho, kappa);
+        return result.sizes.are_apart();
       }
       if (hopeless) break;
     }

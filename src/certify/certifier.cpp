@@ -39,15 +39,11 @@ double scale_of(std::span<const Complex> x) {
   return scale;
 }
 
-double largest_error(const Certificate& c) {
-  return *std::max_element(c.error.begin(), c.error.end());
-}
-
 /// Bound on |x* - x|_inf.
 double distance_bound(std::span<const Complex> x, const Certificate& c) {
   double largest = 0;
   for (std::size_t j = 0; j < x.size(); ++j) {
-    double beyond = c.error[j];
+    double beyond = c.error(j);
     for (const Point& part : c.finer) beyond += size_bound(part[j]);
     // The difference is rounded to a share of itself.
     largest = std::max(largest, raised(raised(size_bound(c.midpoint[j] - x[j])) + raised(beyond)));
@@ -81,7 +77,8 @@ class Certifier::Work {
       const ArbOutcome outcome = arb().prove(x, {}, given, bits, farthest, finer);
       if (outcome == ArbOutcome::proved) {
         // Discs of given numbers stay as wide as they are, whatever the digits.
-        if (result.holds_root() && largest_error(finer) >= largest_error(result)) return;
+        if (result.holds_root() && finer.sizes.largest_error() >= result.sizes.largest_error())
+          return;
         judge(x, finer);
         result = std::move(finer);
         if (is_settled(x, result)) return;
@@ -108,7 +105,7 @@ class Certifier::Work {
     require_dimension(certificate.midpoint.size(), given.size());
     if (!certificate.holds_root()) throw InvalidInput("no root is proved to sharpen");
     Certificate finer;
-    const double farthest = *std::max_element(certificate.radius.begin(), certificate.radius.end());
+    const double farthest = certificate.sizes.largest_radius();
     if (arb().prove(certificate.midpoint, certificate.finer, given, bits, farthest, finer) !=
         ArbOutcome::proved) {
       return false;
@@ -147,7 +144,7 @@ class Certifier::Work {
   /// More bits tell nothing new: the ball is small enough for its place to be told, and reality is
   /// known where it is asked for.
   bool is_settled(std::span<const Complex> x, const Certificate& result) const {
-    if (largest_error(result) > options_.accuracy * scale_of(x)) return false;
+    if (result.sizes.largest_error() > options_.accuracy * scale_of(x)) return false;
     return !options_.decide_reality || !program_->real || result.reality != Reality::unknown;
   }
 
@@ -187,7 +184,7 @@ bool Certifier::sharpen(Certificate& certificate, int bits, std::span<const Encl
 }
 
 Enclosure enclosure(const Certificate& certificate, std::size_t j) {
-  Enclosure result{certificate.midpoint[j], {}, certificate.error[j]};
+  Enclosure result{certificate.midpoint[j], {}, certificate.error(j)};
   for (const Point& part : certificate.finer) result.finer.push_back(part[j]);
   return result;
 }
@@ -199,11 +196,11 @@ std::optional<Certificate> about(const Certificate& certificate, const Point& x)
   for (std::size_t j = 0; j < x.size(); ++j) {
     if (x[j] == certificate.midpoint[j]) continue;
     const double moved = size_bound(x[j] - certificate.midpoint[j]);
-    result.error[j] = raised(certificate.error[j] + moved);
     // What is lost in rounding is added to what is taken away.
-    result.radius[j] = certificate.radius[j] -
-                       raised(raised(certificate.radius[j]) - certificate.radius[j] + moved);
-    if (!(result.error[j] < result.radius[j])) return std::nullopt;
+    const double radius = certificate.radius(j);
+    result.sizes.set(j, std::max(0.0, radius - raised(raised(radius) - radius + moved)),
+                     raised(certificate.error(j) + moved));
+    if (!(result.error(j) < result.radius(j))) return std::nullopt;
   }
   return result;
 }

@@ -37,8 +37,8 @@ Difference difference(const Certificate& a, const Certificate& b, std::size_t j)
 /// The root of a lies in the ball of b; norms: |m_a - m_b|_j^2.
 bool lies_within(const Certificate& a, const Certificate& b, const std::vector<Rational>& norms) {
   for (std::size_t j = 0; j < norms.size(); ++j) {
-    if (a.error[j] > b.radius[j]) return false;
-    const Rational room = Rational(b.radius[j]) - Rational(a.error[j]);
+    if (a.error(j) > b.radius(j)) return false;
+    const Rational room = Rational(b.radius(j)) - Rational(a.error(j));
     if (norms[j] > room * room) return false;
   }
   return true;
@@ -78,7 +78,7 @@ std::vector<Shadow> shadows(std::span<const Certificate* const> certificates, st
     for (std::size_t j = 0; j < sizes.size(); ++j) {
       const double weight = size_bound(direction[j]);
       middle += conjugate_product(direction[j], c.midpoint[j]).real();
-      reach += raised(weight * (c.error[j] + share * size_bound(c.midpoint[j])));
+      reach += raised(weight * (c.error(j) + share * size_bound(c.midpoint[j])));
     }
     result.push_back({middle - reach, middle + reach, k});
   }
@@ -120,7 +120,7 @@ Relation relation(const Certificate& a, const Certificate& b) {
   std::vector<Rational> norms;
   for (std::size_t j = 0; j < a.midpoint.size(); ++j) {
     norms.push_back(difference(a, b, j).norm());
-    const Rational reach = Rational(a.error[j]) + Rational(b.error[j]);
+    const Rational reach = Rational(a.error(j)) + Rational(b.error(j));
     if (norms.back() > reach * reach) return Relation::distinct;
   }
   const bool is_same = lies_within(a, b, norms) || lies_within(b, a, norms);

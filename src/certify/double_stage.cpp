@@ -83,10 +83,9 @@ bool DoubleStage::prove(std::span<const Complex> x, std::span<const Enclosure> g
   if (!find_radii()) return false;
   result.midpoint.assign(m_.begin(), m_.end());
   result.finer.clear();
-  result.radius.assign(rho_.begin(), rho_.end());
-  result.error.assign(kappa_.begin(), kappa_.end());
   result.bits = kDoubleBits;
-  return true;
+  result.sizes.assign(rho_, kappa_);
+  return result.sizes.are_apart();
 }
 
 /// Given numbers are variables that no radius of an unknown moves: F(m) is a ball then, and its

@@ -48,9 +48,9 @@ Reality reality_of(const Certificate& c, bool real_system) {
   bool conjugate_inside = real_system;
   for (std::size_t j = 0; j < c.midpoint.size(); ++j) {
     const ImaginarySize size = imaginary_size(c, j);
-    if (size.least > c.error[j]) return Reality::not_real;
+    if (size.least > c.error(j)) return Reality::not_real;
     // |conj(x*) - m| <= |conj(x*) - conj(m)| + |conj(m) - m|.
-    conjugate_inside = conjugate_inside && raised(2 * size.most + c.error[j]) < c.radius[j];
+    conjugate_inside = conjugate_inside && raised(2 * size.most + c.error(j)) < c.radius(j);
   }
   return conjugate_inside ? Reality::real : Reality::unknown;
 }

@@ -40,7 +40,7 @@ bool may_be_root_of(const Certificate& certificate, const ExactPoint& x) {
     Rational offset = x[j].re - Rational(proved.middle.real());
     for (const Complex& part : proved.finer) offset -= Rational(part.real());
     constexpr double kWellWithin = 0.5;
-    if (std::abs(to_double(offset)) > kWellWithin * certificate.radius[j]) return false;
+    if (std::abs(to_double(offset)) > kWellWithin * certificate.radius(j)) return false;
   }
   return true;
 }

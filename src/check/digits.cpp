@@ -112,8 +112,8 @@ void judge_root(Bench& bench, Entry& entry, std::size_t number) {
   Fit worst = Fit::right;
   for (std::size_t j = 0; j < root.x.size(); ++j) {
     const ExactPart m = middle(c, j);
-    worst = std::max({worst, fit(root.x_digits[j].re, m.re, c.error[j], vanishing),
-                      fit(root.x_digits[j].im, m.im, c.error[j], vanishing)});
+    worst = std::max({worst, fit(root.x_digits[j].re, m.re, c.error(j), vanishing),
+                      fit(root.x_digits[j].im, m.im, c.error(j), vanishing)});
   }
   if (worst == Fit::unknown) {
     return bench.verdicts.leave_open(ClaimKind::digits, "more than certificates have", number);

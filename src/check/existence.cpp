@@ -186,8 +186,8 @@ DistanceBounds distance(const Certificate& certificate, const Point& x) {
   for (std::size_t j = 0; j < x.size(); ++j) {
     const Coefficient part = offset(certificate, x, j);
     const double size = std::hypot(to_double(part.re), to_double(part.im));
-    d.most = std::max(d.most, (size * kRoundedUp + certificate.error[j]) * kRoundedUp);
-    d.least = std::max(d.least, (size * kRoundedDown - certificate.error[j]) * kRoundedDown);
+    d.most = std::max(d.most, (size * kRoundedUp + certificate.error(j)) * kRoundedUp);
+    d.least = std::max(d.least, (size * kRoundedDown - certificate.error(j)) * kRoundedDown);
   }
   return d;
 }

@@ -141,7 +141,7 @@ Certificate conjugate(Certificate c) {
 
 bool has_near(const std::vector<const Entry*>& entries, const Certificate& c) {
   return std::any_of(entries.begin(), entries.end(), [&](const Entry* entry) {
-    return apart(entry->x, c.midpoint) <= entry->reach + c.radius[0];
+    return apart(entry->x, c.midpoint) <= entry->reach + c.radius(0);
   });
 }
 

@@ -92,7 +92,7 @@ std::vector<const Certificate*> chain_of(const KnownProof& last) {
 /// Not blurred by what was known of the groups before.
 bool is_sharp(const Certificate& certificate) {
   if (certificate.verdict != Verdict::certified) return false;
-  const double error = *std::max_element(certificate.error.begin(), certificate.error.end());
+  const double error = certificate.sizes.largest_error();
   return error <= kBlurred * std::max(1.0, max_norm(certificate.midpoint));
 }
 
@@ -372,7 +372,7 @@ Reality RootProver::Work::reality(const KnownProof& proof) const {
   std::vector<ProvedCoordinate> root;
   for (const auto& at : place) {
     const Certificate& certificate = *chain[at->group];
-    root.push_back({enclosure(certificate, at->coordinate), certificate.radius[at->coordinate]});
+    root.push_back({enclosure(certificate, at->coordinate), certificate.radius(at->coordinate)});
   }
   return reality_of(root, formulation.mirror);
 }
@@ -462,7 +462,7 @@ ProvedRoot RootProver::root(const KnownProof& proof) {
   root.x = work_->midpoints(proof);
   for (const Certificate* certificate : chain_of(proof)) {
     for (std::size_t j = 0; j < certificate->midpoint.size(); ++j) {
-      double error = certificate->error[j];
+      double error = certificate->error(j);
       for (const Point& part : certificate->finer) error += std::abs(part[j]);
       root.accuracy = std::max(root.accuracy, error);
     }

@@ -15,8 +15,7 @@ void take(const Certificate& certificate, MemberRoot& root) {
   root.certified = certificate.verdict == Verdict::certified;
   if (!*root.certified) return;
   root.x = certificate.midpoint;
-  root.accuracy = *std::max_element(certificate.error.begin(), certificate.error.end()) /
-                  std::max(1.0, max_norm(root.x));
+  root.accuracy = certificate.sizes.largest_error() / std::max(1.0, max_norm(root.x));
   if (certificate.reality != Reality::unknown) root.real = certificate.reality == Reality::real;
   if (root.real) {
     for (Complex& xj : root.x) xj.imag(0);

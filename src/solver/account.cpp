@@ -312,12 +312,12 @@ void put_in_doubt(SolveResult& result, std::string why) {
 
 void close_account(Run& run, SolveResult& result) {
   require_all_entries(run);
-  result.ledger = run.table.records();
   Outcome outcome = run.interrupted ? outcome_so_far(run) : outcome_of(run);
   const std::vector<bool> on_sets = are_on_sets(run, outcome.groups);
   const bool lacks_image =
       !run.bounds.met && is_real(run.setting.f) && !missing_conjugates(run.table).empty();
   const auto proved = run.interrupted ? std::nullopt : roots_to_compare(run);
+  result.ledger = run.table.records();
   enter_verdicts(outcome, result);
   enter_solutions(run, outcome.groups, on_sets, result);
   count_paths(result.ledger, result.paths);

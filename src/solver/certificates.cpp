@@ -51,19 +51,20 @@ std::vector<std::vector<std::uint64_t>> parted(const Run& run, Certifier& certif
 
 /// As PathTable::groups(), but one path alone ends at a simple root.
 std::vector<std::vector<std::uint64_t>> groups_beside_sets(const Run& run) {
-  std::vector<std::vector<std::uint64_t>> groups;
+  std::vector<std::vector<std::uint64_t>> groups = run.table.groups();
+  std::vector<std::vector<std::uint64_t>> sets;
   const auto& roots = run.table.roots();
   const auto is_simple = [&](std::uint64_t path) { return roots.at(path).point.simple; };
-  for (auto& group : run.table.groups()) {
-    auto& beside = groups.emplace_back(std::move(group));
+  for (auto& beside : groups) {
     if (beside.size() == 1 || std::none_of(beside.begin(), beside.end(), is_simple)) continue;
     const auto on_set = std::stable_partition(beside.begin(), beside.end(), [&](auto path) {
       return is_simple(path) || !is_on_set(run, roots.at(path));
     });
     std::vector<std::uint64_t> set(on_set, beside.end());
     beside.erase(on_set, beside.end());
-    if (!set.empty()) groups.push_back(std::move(set));
+    if (!set.empty()) sets.push_back(std::move(set));
   }
+  groups.insert(groups.end(), sets.begin(), sets.end());
   return groups;
 }
 

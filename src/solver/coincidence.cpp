@@ -24,20 +24,22 @@ std::size_t root_of(std::vector<std::size_t>& parent, std::size_t k) {
 std::vector<std::size_t> one_of_group(const std::vector<KnownPoint>& points) {
   const std::size_t count = points.size();
   std::vector<double> numbers;
-  std::vector<double> reach;  // in a number
   numbers.reserve(count);
-  reach.reserve(count);
+  // In a number.
+  const auto reach = [&](std::size_t k) {
+    const auto& [x, tolerance] = points[k];
+    return static_cast<double>(x->size()) * tolerance * std::max(1.0, max_norm(*x));
+  };
   double widest = 0;
-  for (const auto& [x, tolerance] : points) {
-    numbers.push_back(number_of(*x));
-    reach.push_back(static_cast<double>(x->size()) * tolerance * std::max(1.0, max_norm(*x)));
-    widest = std::max(widest, reach.back());
+  for (std::size_t k = 0; k < count; ++k) {
+    numbers.push_back(number_of(*points[k].x));
+    widest = std::max(widest, reach(k));
   }
   const NearNumbers near(numbers);
   std::vector<std::size_t> parent(count);
   std::iota(parent.begin(), parent.end(), std::size_t{0});
   for (std::size_t a = 0; a < count; ++a) {
-    near.visit_near(numbers[a], reach[a] + widest, [&](std::size_t b) {
+    near.visit_near(numbers[a], reach(a) + widest, [&](std::size_t b) {
       const double known = points[a].tolerance + points[b].tolerance;
       if (relative_distance(*points[a].x, *points[b].x) > known) return;
       parent[root_of(parent, b)] = root_of(parent, a);
@@ -49,18 +51,25 @@ std::vector<std::size_t> one_of_group(const std::vector<KnownPoint>& points) {
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> coincidence_groups(const std::vector<KnownPoint>& points) {
-  const std::vector<std::size_t> one_of = one_of_group(points);
+std::vector<std::size_t> coincidence_numbers(const std::vector<KnownPoint>& points) {
+  std::vector<std::size_t> numbers = one_of_group(points);
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> place(points.size(), kNone);  // of the group, by that point
+  std::vector<std::size_t> number_by_one(points.size(), kNone);
+  std::size_t count = 0;
+  for (std::size_t& number : numbers) {
+    std::size_t& own = number_by_one[number];
+    if (own == kNone) own = count++;
+    number = own;
+  }
+  return numbers;
+}
+
+std::vector<std::vector<std::size_t>> coincidence_groups(const std::vector<KnownPoint>& points) {
   std::vector<std::vector<std::size_t>> groups;
+  const std::vector<std::size_t> numbers = coincidence_numbers(points);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    std::size_t& own = place[one_of[k]];
-    if (own == kNone) {
-      own = groups.size();
-      groups.emplace_back();
-    }
-    groups[own].push_back(k);
+    if (numbers[k] == groups.size()) groups.emplace_back();
+    groups[numbers[k]].push_back(k);
   }
   return groups;
 }

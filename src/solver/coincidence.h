@@ -17,6 +17,9 @@ struct KnownPoint {
   double tolerance;  ///< relative to max(1, |x|_inf)
 };
 
+/// For each point the number of its group, counted from 0 in the order of their first points.
+std::vector<std::size_t> coincidence_numbers(const std::vector<KnownPoint>& points);
+
 /// Indices into `points`, every group ascending, groups by their first index; single points too.
 std::vector<std::vector<std::size_t>> coincidence_groups(const std::vector<KnownPoint>& points);
 

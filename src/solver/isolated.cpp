@@ -28,8 +28,8 @@ Certificate certificate_of(const IsolatedRoot& root, const Place& place, int bit
   result.bits = bits;
   result.midpoint = place.x;
   result.finer = place.finer;
-  result.error = {root.error};
-  result.radius = {root.radius};
+  result.sizes.assign({&root.radius, 1}, {&root.error, 1});
+  if (!result.sizes.are_apart()) return {};
   const ProvedCoordinate coordinate{enclosure(result, 0), root.radius};
   const std::size_t itself = 0;
   result.reality = reality_of(std::span(&coordinate, 1), std::span(&itself, 1));

@@ -68,7 +68,9 @@ JudgedEnds judge_ends_alone(const Run& run) {
     judged.open.emplace(path, Question::no_root);
     judged.in_doubt.insert(path);
   }
-  for (auto& group : groups_of(run)) {
+  std::vector<std::vector<std::uint64_t>> groups = groups_of(run);
+  judged.roots.reserve(groups.size());
+  for (auto& group : groups) {
     const EndsOfGroup ends = ends_of(run, group);
     if (stands(run, ends, group)) {
       judged.roots.push_back(std::move(group));

@@ -91,21 +91,18 @@ std::uint64_t PathTable::tracked() const {
 std::vector<std::vector<std::uint64_t>> PathTable::groups() const {
   std::vector<std::uint64_t> paths;
   std::vector<KnownPoint> points;
+  paths.reserve(roots_.size());
+  points.reserve(roots_.size());
   for (const auto& [path, root] : roots_) {
     if (refuted_.contains(path)) continue;
     paths.push_back(path);
     points.push_back({&root.point.x.point(), root.tolerance});
   }
-  std::vector<std::vector<std::size_t>> indices = coincidence_groups(points);
+  const std::vector<std::size_t> numbers = coincidence_numbers(points);
   points = {};
-  std::vector<std::vector<std::uint64_t>> groups;
-  groups.reserve(indices.size());
-  for (auto& own : indices) {
-    auto& group = groups.emplace_back();
-    group.reserve(own.size());
-    for (const std::size_t k : own) group.push_back(paths[k]);
-    own = {};
-  }
+  const auto last = std::max_element(numbers.begin(), numbers.end());
+  std::vector<std::vector<std::uint64_t>> groups(last == numbers.end() ? 0 : *last + 1);
+  for (std::size_t k = 0; k < paths.size(); ++k) groups[numbers[k]].push_back(paths[k]);
   return groups;
 }
 

@@ -165,7 +165,7 @@ Refined Refiner::take(const Certificate& proved) {
   double error = 0;
   double snapped_error = 0;
   for (std::size_t j = 0; j < snapped.size(); ++j) {
-    double beyond = proved.error[j];
+    double beyond = proved.error(j);
     for (const Point& part : proved.finer) beyond += std::abs(part[j]);
     if (std::abs(snapped[j].real()) <= beyond) snapped[j].real(0);
     if (std::abs(snapped[j].imag()) <= beyond) snapped[j].imag(0);

@@ -230,7 +230,8 @@ SolveResult solve_by_starts(const System& f, const Tracker& tracker, const Solve
   const bool is_last = result.complete || stop || !options.second_start ||
                        options.start != StartKind::automatic || result.start.kind == "polyhedral" ||
                        result.start.paths > kMostPathsTwice;
-  return is_last ? result : solve_again(f, tracker, options, stop, std::move(result));
+  if (is_last) return result;
+  return solve_again(f, tracker, options, stop, std::move(result));
 }
 
 void leave_out_certificates(SolveResult& result) {

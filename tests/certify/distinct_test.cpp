@@ -18,8 +18,7 @@ Certificate ball(const Point& midpoint, double radius, double error) {
   c.verdict = Verdict::certified;
   c.bits = kDoubleBits;
   c.midpoint = midpoint;
-  c.radius.assign(midpoint.size(), radius);
-  c.error.assign(midpoint.size(), error);
+  c.sizes = BallSizes(std::vector(midpoint.size(), radius), std::vector(midpoint.size(), error));
   return c;
 }
 

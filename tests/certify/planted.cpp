@@ -123,7 +123,7 @@ std::string told(const Certificate& c, const Point& given) {
   for (const Complex& x : given) text << ' ' << x;
   text << ", ball";
   for (std::size_t j = 0; j < c.midpoint.size(); ++j) {
-    text << ' ' << c.midpoint[j] << " +- " << c.radius[j];
+    text << ' ' << c.midpoint[j] << " +- " << c.radius(j);
   }
   return text.str();
 }
@@ -170,14 +170,15 @@ Point to_double(const ExactPoint& x) {
   return result;
 }
 
-bool lies_within(const ExactPoint& x, const Certificate& c, const std::vector<double>& reach) {
+bool lies_within(const ExactPoint& x, const Certificate& c,
+                 double (Certificate::*reach)(std::size_t) const) {
   for (std::size_t j = 0; j < x.size(); ++j) {
     Coefficient d =
         x[j] - Coefficient{Rational(c.midpoint[j].real()), Rational(c.midpoint[j].imag())};
     for (const Point& part : c.finer) {
       d = d - Coefficient{Rational(part[j].real()), Rational(part[j].imag())};
     }
-    if (d.re * d.re + d.im * d.im > Rational(reach[j]) * Rational(reach[j])) return false;
+    if (d.re * d.re + d.im * d.im > Rational((c.*reach)(j)) * Rational((c.*reach)(j))) return false;
   }
   return true;
 }
@@ -192,13 +193,13 @@ std::string untruth(const Certificate& c, const Planted& p, const Point& given, 
   if (!c.holds_root()) return "";
   std::vector<std::size_t> inside;
   for (std::size_t k = 0; k < p.roots.size(); ++k) {
-    if (lies_within(p.roots[k], c, c.radius)) inside.push_back(k);
+    if (lies_within(p.roots[k], c, &Certificate::radius)) inside.push_back(k);
   }
   const std::string all = told(c, given);
   if (inside.size() != 1) return std::to_string(inside.size()) + " roots in the ball: " + all;
   const ExactPoint& root = p.roots[inside.front()];
   if (p.multiplicity[inside.front()] != 1) return "a multiple root: " + all;
-  if (!lies_within(root, c, c.error)) return "the root lies beyond the error: " + all;
+  if (!lies_within(root, c, &Certificate::error)) return "the root lies beyond the error: " + all;
   const bool root_is_real =
       std::all_of(root.begin(), root.end(), [](const Coefficient& z) { return is_real(z); });
   if (c.reality == Reality::real && !root_is_real) return "not real: " + all;

@@ -41,7 +41,8 @@ System problem(const std::string& name);
 
 Point to_double(const ExactPoint& x);
 /// |x_j - m_j| <= reach_j for all j, in exact arithmetic.
-bool lies_within(const ExactPoint& x, const Certificate& c, const std::vector<double>& reach);
+bool lies_within(const ExactPoint& x, const Certificate& c,
+                 double (Certificate::*reach)(std::size_t) const);
 /// |a - b|_inf.
 double distance(const Point& a, const Point& b);
 

@@ -14,8 +14,7 @@ Reality reality_at(double im, double finer_im = 0) {
   c.verdict = Verdict::certified;
   c.midpoint = {Complex(3, im)};
   if (finer_im != 0) c.finer = {{Complex(0, finer_im)}};
-  c.radius = {1};
-  c.error = {0.5};
+  c.sizes = BallSizes(std::vector{1.0}, std::vector{0.5});
   return reality_of(c, true);
 }
 
@@ -43,15 +42,14 @@ TEST(Reality, OneCoordinateShowsThatARootIsNotRealAllThatItIs) {
   Certificate c;
   c.verdict = Verdict::certified;
   c.midpoint = {Complex(1, 0), Complex(2, 0.3), Complex(1, 1e-3)};
-  c.radius = {1, 1, 1e-2};
-  c.error = {0.1, 0.1, 1e-4};
+  c.sizes = BallSizes(std::vector{1.0, 1.0, 1e-2}, std::vector{0.1, 0.1, 1e-4});
   EXPECT_EQ(reality_of(c, true), Reality::not_real);
   c.midpoint[1] = 2;
   EXPECT_EQ(reality_of(c, true), Reality::not_real);
   c.midpoint[2] = Complex(1, 1e-5);
   EXPECT_EQ(reality_of(c, true), Reality::real);
   EXPECT_EQ(reality_of(c, false), Reality::unknown);
-  c.radius[0] = 0.1;
+  c.sizes.set(0, 0.1, 0.1);
   EXPECT_EQ(reality_of(c, true), Reality::unknown);
 }
 

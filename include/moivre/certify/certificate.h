@@ -8,8 +8,8 @@
 //
 // m: the midpoint, an exact sum of doubles, midpoint + finer[0] + finer[1] + ...; `finer` is empty
 // where double was enough.
-// radius, error: n numbers in the units of the file. What is proved holds for the exact
-// coefficients, as they were read.
+// radius, error: n numbers in the units of the file, the first rounded down, the second up. What is
+// proved holds for the exact coefficients, as they were read.
 // A certificate says nothing of other roots outside B. A multiple root has none: there J is
 // singular.
 // Where F has numbers that are known only to lie in discs (Enclosure), it is proved for all of them
@@ -21,6 +21,7 @@
 #include <span>
 #include <vector>
 
+#include "moivre/certify/ball_sizes.h"
 #include "moivre/numeric/complex.h"
 
 namespace moivre {
@@ -50,9 +51,10 @@ struct Certificate {
   int bits = 0;  ///< of the arithmetic that proved it: 53 is double
   Point midpoint;
   std::vector<Point> finer;  ///< what the midpoint has beyond double, largest first
-  std::vector<double> radius;
-  std::vector<double> error;
+  BallSizes sizes;
 
+  double radius(std::size_t j) const { return sizes.radius(j); }
+  double error(std::size_t j) const { return sizes.error(j); }
   /// One root is proved to lie in B, near the given point or not.
   bool holds_root() const { return verdict != Verdict::undecided; }
 };
