@@ -34,7 +34,7 @@ constexpr std::uint64_t PathCounts::*kCounts[]{
     &PathCounts::double_double, &PathCounts::multiprecision};
 
 /// Of the cycles of a group; none where its multiplicity was counted, not seen.
-std::vector<int> windings(const Run& run, const std::vector<std::uint64_t>& group) {
+std::vector<int> windings(const Run& run, PathGroups::Group group) {
   const Root& first = run.table.roots().at(group.front());
   if (first.is_exact && !first.winding) return {};
   return cycles(run.table, group).value_or(std::vector<int>(group.size(), 1));
@@ -43,7 +43,7 @@ std::vector<int> windings(const Run& run, const std::vector<std::uint64_t>& grou
 /// Which solution each path of the table leads to; solutions are in the order of their paths.
 void enter_places(const PathGroups& groups, SolveResult& result) {
   const auto begin = result.solutions.begin();
-  for (const auto& group : groups) {
+  for (const PathGroups::Group group : groups) {
     const auto root =
         std::lower_bound(begin, result.solutions.end(), group.front(),
                          [](const Solution& a, std::uint64_t path) { return a.path < path; });
@@ -73,7 +73,7 @@ Outcome outcome_of(const Run& run) {
 }
 
 /// Of simple roots those that are proved to be different; nothing is known of the others.
-void enter_simple_ones(const Run& run, const std::vector<std::uint64_t>& group, Outcome& outcome) {
+void enter_simple_ones(const Run& run, PathGroups::Group group, Outcome& outcome) {
   std::vector<const Certificate*> taken;
   for (const std::uint64_t path : group) {
     const Certificate* proof = run.table.roots().at(path).certificate.get();
@@ -82,7 +82,7 @@ void enter_simple_ones(const Run& run, const std::vector<std::uint64_t>& group, 
                         });
     if (is_new) {
       taken.push_back(proof);
-      outcome.groups.push_back({path});
+      outcome.groups.add(path);
     } else {
       outcome.open.push_back(path);
     }
@@ -91,7 +91,7 @@ void enter_simple_ones(const Run& run, const std::vector<std::uint64_t>& group, 
 
 /// Singular ends: whole cycles at a root that is known to be isolated, or ends on a set that is
 /// known.
-bool is_known_to_stand(const Run& run, const std::vector<std::uint64_t>& group) {
+bool is_known_to_stand(const Run& run, PathGroups::Group group) {
   const Root& first = run.table.roots().at(group.front());
   if (first.is_exact) return true;
   if (!first.on_set) return false;
@@ -103,19 +103,18 @@ Outcome outcome_so_far(const Run& run) {
   Outcome outcome;
   for (const auto& [path, failure] : run.table.failures()) outcome.failures.push_back(failure);
   for (const std::uint64_t path : run.table.refuted()) outcome.open.push_back(path);
-  for (auto& group : run.table.groups()) {
+  for (const PathGroups::Group group : run.table.groups()) {
     const Root& first = run.table.roots().at(group.front());
     const bool is_one_simple = group.size() == 1 && first.point.simple;
     const bool are_singular = std::none_of(group.begin(), group.end(), [&](std::uint64_t path) {
       return run.table.roots().at(path).point.simple;
     });
     if (is_one_simple || (are_singular && is_known_to_stand(run, group))) {
-      outcome.groups.push_back(std::move(group));
+      outcome.groups.add(group);
     } else {
       enter_simple_ones(run, group, outcome);
     }
   }
-  std::sort(outcome.groups.begin(), outcome.groups.end());
   return outcome;
 }
 
@@ -128,7 +127,7 @@ void enter_verdicts(const Outcome& outcome, SolveResult& result) {
 }
 
 /// Paths that come to one point of a set are no roots near to each other.
-Solution point_of_set(const Run& run, const std::vector<std::uint64_t>& group) {
+Solution point_of_set(const Run& run, PathGroups::Group group) {
   Solution point = solution_of(run, group, {});
   point.cluster = false;
   point.radius = 0;
@@ -139,7 +138,7 @@ Solution point_of_set(const Run& run, const std::vector<std::uint64_t>& group) {
 std::vector<bool> are_on_sets(const Run& run, const PathGroups& groups) {
   std::vector<bool> result;
   result.reserve(groups.size());
-  for (const auto& group : groups) {
+  for (const PathGroups::Group group : groups) {
     const Root& first = run.table.roots().at(group.front());
     result.push_back(!first.point.simple && is_on_set(run, first));
   }
@@ -161,7 +160,7 @@ void enter_solutions(Run& run, const PathGroups& groups, const std::vector<bool>
   const auto sets = std::count(on_sets.begin(), on_sets.end(), true);
   result.solutions.reserve(groups.size() - static_cast<std::size_t>(sets));
   for (std::size_t k = 0; k < groups.size(); ++k) {
-    const auto& group = groups[k];
+    const PathGroups::Group group = groups[k];
     result.paths.finite += group.size();
     if (on_sets[k]) {
       result.paths.on_positive_dimensional += group.size();
@@ -209,8 +208,7 @@ void require_all_entries(const Run& run) {
 
 /// Of a singular root that is told as `best`. Ends further away than both are known to be may be
 /// those of other roots, which the accuracy then covers.
-double accuracy_of_group(const Run& run, const std::vector<std::uint64_t>& group,
-                         const Refined& best) {
+double accuracy_of_group(const Run& run, PathGroups::Group group, const Refined& best) {
   double accuracy = kSingularMargin * best.accuracy;
   for (const std::uint64_t path : group) {
     const Refined& end = run.table.roots().at(path).point;
@@ -226,8 +224,7 @@ std::string decided_text(const PathCounts& paths) {
 
 /// So far from the point that is told, relative to max(1, |x|_inf), the roots of a cluster may lie:
 /// as far as double parts ends of paths, or as the residual leaves open.
-double radius_of_cluster(const Run& run, const std::vector<std::uint64_t>& group,
-                         const Refined& best) {
+double radius_of_cluster(const Run& run, PathGroups::Group group, const Refined& best) {
   // What a residual in double tells nothing of.
   constexpr double kRoundingOfResidual = 1e-15;
   const double share = std::max(best.residual, kRoundingOfResidual);
@@ -268,8 +265,7 @@ PathCounts& PathCounts::operator*=(std::uint64_t sheets) {
   return *this;
 }
 
-Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
-                     const std::vector<int>& winding) {
+Solution solution_of(const Run& run, PathGroups::Group group, const std::vector<int>& winding) {
   const auto& roots = run.table.roots();
   const auto best = std::min_element(group.begin(), group.end(), [&](auto a, auto b) {
     return roots.at(a).point.accuracy < roots.at(b).point.accuracy;

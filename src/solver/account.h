@@ -14,8 +14,7 @@ namespace moivre {
 
 /// The solution of the paths `group`, all of them finite ends at one point, of cycles of these
 /// winding numbers.
-Solution solution_of(const Run& run, const std::vector<std::uint64_t>& group,
-                     const std::vector<int>& winding);
+Solution solution_of(const Run& run, PathGroups::Group group, const std::vector<int>& winding);
 
 /// Fills counts, solutions, failures, work, the verdict and its sentence. Roots that are told are
 /// then no longer in the table. Throws Interrupted, the table as it was.

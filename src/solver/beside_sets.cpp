@@ -22,7 +22,7 @@ constexpr std::size_t kMostOfOneEnd = 4;
 /// The paths to ends on sets of this kind.
 PathSet paths_to_sets(const Run& run, SetHere kind) {
   PathSet paths;
-  for (const auto& group : judge(run).roots) {
+  for (const PathGroups::Group group : judge(run).roots) {
     const EndsOfGroup ends = ends_of(run, group);
     if (ends.singular.empty()) continue;
     if (set_of(run, run.table.roots().at(ends.singular.front())) != kind) continue;
@@ -72,7 +72,7 @@ class MeetingSheets {
     for (const std::uint64_t path : left) {
       if (misses_a_root(path)) run_.table.refute(path);
     }
-    for (const auto& group : judge(run_).roots) {
+    for (const PathGroups::Group group : judge(run_).roots) {
       // Paths to a set end at different points of it: two at one may be at a multiple root.
       const Root& end = root(group.front());
       const bool is_crowded = group.size() > 1 && !end.point.simple && is_on_set(run_, end);
@@ -102,7 +102,7 @@ class MeetingSheets {
   PathSet first_of_one_end() const {
     const PathSet all = paths();
     PathSet first;
-    for (const auto& group : judge(run_).roots) {
+    for (const PathGroups::Group group : judge(run_).roots) {
       for (const std::uint64_t path : group) {
         if (all.contains(path) && first.size() < kMostOfOneEnd) first.insert(path);
       }

@@ -19,7 +19,7 @@ CertifyOptions certify_options(double farthest = kFarthestRoot, int most_bits = 
 /// Those of the group that are proved to be different: simple roots by their certificates, multiple
 /// ones that are known exactly by their places. Ends of which neither is known stay with the first.
 std::vector<std::vector<std::uint64_t>> parted(const Run& run, Certifier& certifier,
-                                               const std::vector<std::uint64_t>& group) {
+                                               PathGroups::Group group) {
   std::vector<std::uint64_t> proved;
   std::vector<std::uint64_t> others;
   std::vector<Certificate> certificates;
@@ -36,7 +36,7 @@ std::vector<std::vector<std::uint64_t>> parted(const Run& run, Certifier& certif
     (root.certificate ? proved : others).push_back(path);
     if (root.certificate) certificates.push_back(*root.certificate);
   }
-  if (proved.size() + parts.size() < 2) return {group};
+  if (proved.size() + parts.size() < 2) return {{group.begin(), group.end()}};
   const Distinctness told = tell_apart(certifier, certificates, run.setting.options.seed);
   const bool are_told = told.doubtful.empty();
   std::map<std::size_t, std::vector<std::uint64_t>> by_root;
@@ -50,21 +50,26 @@ std::vector<std::vector<std::uint64_t>> parted(const Run& run, Certifier& certif
 }
 
 /// As PathTable::groups(), but one path alone ends at a simple root.
-std::vector<std::vector<std::uint64_t>> groups_beside_sets(const Run& run) {
-  std::vector<std::vector<std::uint64_t>> groups = run.table.groups();
-  std::vector<std::vector<std::uint64_t>> sets;
+PathGroups groups_beside_sets(const Run& run) {
   const auto& roots = run.table.roots();
   const auto is_simple = [&](std::uint64_t path) { return roots.at(path).point.simple; };
-  for (auto& beside : groups) {
-    if (beside.size() == 1 || std::none_of(beside.begin(), beside.end(), is_simple)) continue;
+  const PathGroups together = run.table.groups();
+  PathGroups groups;
+  PathGroups sets;
+  groups.reserve(together.size(), together.path_count());
+  for (const PathGroups::Group group : together) {
+    if (group.size() == 1 || std::none_of(group.begin(), group.end(), is_simple)) {
+      groups.add(group);
+      continue;
+    }
+    std::vector<std::uint64_t> beside(group.begin(), group.end());
     const auto on_set = std::stable_partition(beside.begin(), beside.end(), [&](auto path) {
       return is_simple(path) || !is_on_set(run, roots.at(path));
     });
-    std::vector<std::uint64_t> set(on_set, beside.end());
-    beside.erase(on_set, beside.end());
-    if (!set.empty()) sets.push_back(std::move(set));
+    groups.add({beside.begin(), on_set});
+    if (on_set != beside.end()) sets.add({on_set, beside.end()});
   }
-  groups.insert(groups.end(), sets.begin(), sets.end());
+  groups.add(sets);
   return groups;
 }
 
@@ -100,21 +105,18 @@ std::shared_ptr<const Certificate> Prover::sharpened(const Certificate& proof, i
   return certifier_.sharpen(*finer, bits) ? finer : nullptr;
 }
 
-std::vector<std::vector<std::uint64_t>> groups_of(const Run& run) {
-  std::vector<std::vector<std::uint64_t>> groups = groups_beside_sets(run);
-  const auto& program = run.setting.certify_program;
-  const bool are_single = std::all_of(groups.begin(), groups.end(),
-                                      [](const auto& group) { return group.size() == 1; });
-  if (are_single) return groups;
-  Certifier certifier(program, certify_options());
-  std::vector<std::vector<std::uint64_t>> result;
-  for (auto& group : groups) {
+PathGroups groups_of(const Run& run) {
+  PathGroups groups = groups_beside_sets(run);
+  if (groups.size() == groups.path_count()) return groups;
+  Certifier certifier(run.setting.certify_program, certify_options());
+  PathGroups result;
+  for (const PathGroups::Group group : groups) {
     if (group.size() == 1) {
-      result.push_back(std::move(group));
+      result.add(group);
       continue;
     }
     run.require_time();
-    for (auto& part : parted(run, certifier, group)) result.push_back(std::move(part));
+    for (const auto& part : parted(run, certifier, group)) result.add(part);
   }
   return result;
 }

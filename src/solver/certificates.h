@@ -50,7 +50,7 @@ class Prover {
 /// their own are ends that are proved to be different roots, by certificates or since they are
 /// known exactly, and ends on a set of positive dimension that passes beside a simple root. An end
 /// of which nothing is proved stays with the first of its group.
-std::vector<std::vector<std::uint64_t>> groups_of(const Run& run);
+PathGroups groups_of(const Run& run);
 
 /// So many different roots are proved: by these, none of them nullptr; by all certificates of a
 /// run.

@@ -120,21 +120,20 @@ Finding look_into(const Run& run, const Root& end, std::size_t paths) {
 /// not counted.
 PathGroups clusters_of(const Run& run) {
   PathGroups clusters;
-  for (auto& group : judge(run).roots) {
+  for (const PathGroups::Group group : judge(run).roots) {
     const bool is_cluster = std::none_of(group.begin(), group.end(), [&](std::uint64_t path) {
       const Root& root = run.table.roots().at(path);
       return root.point.simple || root.is_exact;
     });
     if (!is_cluster || is_on_set(run, run.table.roots().at(group.front()))) continue;
-    clusters.push_back(std::move(group));
+    clusters.add(group);
   }
   return clusters;
 }
 
 /// One for each cluster, on all threads. Throws Interrupted.
 template <class Find>
-std::vector<Finding> findings_of(const Run& run,
-                                 std::span<const std::vector<std::uint64_t>> clusters, Find find) {
+std::vector<Finding> findings_of(const Run& run, const PathGroups& clusters, Find find) {
   std::vector<Finding> findings(clusters.size());
   for_each_parallel(clusters.size(), run.setting.threads, [&](std::size_t k) {
     run.require_time();
@@ -145,8 +144,7 @@ std::vector<Finding> findings_of(const Run& run,
 }
 
 /// False where it stays what it was.
-bool conclude(Run& run, Refiner& refiner, const std::vector<std::uint64_t>& cluster,
-              const Finding& finding) {
+bool conclude(Run& run, Refiner& refiner, PathGroups::Group cluster, const Finding& finding) {
   if (!finding.is_refuted) return false;
   const Proofs& proofs = finding.roots;
   // What two clusters came to, one of them has missed.
@@ -172,15 +170,17 @@ PathGroups uncounted_clusters(Run& run) {
   for (const auto& [path, question] : judge(run).open) {
     const auto root = run.table.roots().find(path);
     const bool has_root = root != run.table.roots().end() && root->second.certificate;
-    if (question == Question::jumped && has_root) clusters.push_back({path});
+    if (question == Question::jumped && has_root) clusters.add(path);
   }
-  for (auto& cluster : clusters_at(run)) clusters.push_back(std::move(cluster));
+  clusters.add(clusters_at(run));
   if (clusters.empty()) return clusters;
   const std::vector<ExactRoot> exact = exact_roots(run);
-  std::erase_if(clusters, [&](const auto& cluster) {
-    return is_counted_by(exact, run.table.roots().at(cluster.front()), cluster.size());
-  });
-  return clusters;
+  PathGroups uncounted;
+  for (const PathGroups::Group cluster : clusters) {
+    const Root& end = run.table.roots().at(cluster.front());
+    if (!is_counted_by(exact, end, cluster.size())) uncounted.add(cluster);
+  }
+  return uncounted;
 }
 
 }  // namespace
@@ -203,8 +203,9 @@ void part_clusters_in_more_bits(Run& run) {
     const PathGroups clusters = uncounted_clusters(run);
     std::size_t together = kFirstClusters;
     for (std::size_t first = 0; first < clusters.size(); first += together, together *= 2) {
-      const auto ahead =
-          std::span(clusters).subspan(first, std::min(together, clusters.size() - first));
+      PathGroups ahead;
+      const std::size_t behind = std::min(first + together, clusters.size());
+      for (std::size_t k = first; k < behind; ++k) ahead.add(clusters[k]);
       const auto findings = findings_of(run, ahead, [&](const Root& end, std::size_t paths) {
         Finding finding{roots_beside(run, end, paths, bits)};
         finding.is_refuted = finding.roots.size() == paths;

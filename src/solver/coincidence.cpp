@@ -51,27 +51,41 @@ std::vector<std::size_t> one_of_group(const std::vector<KnownPoint>& points) {
 
 }  // namespace
 
-std::vector<std::size_t> coincidence_numbers(const std::vector<KnownPoint>& points) {
-  std::vector<std::size_t> numbers = one_of_group(points);
+PathGroups coincidence_groups(const std::vector<std::uint64_t>& paths,
+                              const std::vector<KnownPoint>& points) {
   constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  std::vector<std::size_t> number_by_one(points.size(), kNone);
+  const std::vector<std::size_t> one_of = one_of_group(points);
+  // A chain from each group's first point through all of them.
+  std::vector<std::size_t> last(points.size(), kNone);  // by one of the group
+  std::vector<std::size_t> next(points.size(), kNone);
+  std::vector<bool> is_first(points.size());
   std::size_t count = 0;
-  for (std::size_t& number : numbers) {
-    std::size_t& own = number_by_one[number];
-    if (own == kNone) own = count++;
-    number = own;
-  }
-  return numbers;
-}
-
-std::vector<std::vector<std::size_t>> coincidence_groups(const std::vector<KnownPoint>& points) {
-  std::vector<std::vector<std::size_t>> groups;
-  const std::vector<std::size_t> numbers = coincidence_numbers(points);
   for (std::size_t k = 0; k < points.size(); ++k) {
-    if (numbers[k] == groups.size()) groups.emplace_back();
-    groups[numbers[k]].push_back(k);
+    std::size_t& before = last[one_of[k]];
+    is_first[k] = before == kNone;
+    if (is_first[k]) {
+      ++count;
+    } else {
+      next[before] = k;
+    }
+    before = k;
+  }
+  PathGroups groups;
+  groups.reserve(count, points.size());
+  std::vector<std::uint64_t> group;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (!is_first[k]) continue;
+    group.clear();
+    for (std::size_t at = k; at != kNone; at = next[at]) group.push_back(paths[at]);
+    groups.add(group);
   }
   return groups;
+}
+
+PathGroups coincidence_groups(const std::vector<KnownPoint>& points) {
+  std::vector<std::uint64_t> places(points.size());
+  std::iota(places.begin(), places.end(), std::uint64_t{0});
+  return coincidence_groups(places, points);
 }
 
 }  // namespace moivre

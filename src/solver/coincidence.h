@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "moivre/numeric/complex.h"
+#include "path_groups.h"
 
 namespace moivre {
 
@@ -17,11 +18,12 @@ struct KnownPoint {
   double tolerance;  ///< relative to max(1, |x|_inf)
 };
 
-/// For each point the number of its group, counted from 0 in the order of their first points.
-std::vector<std::size_t> coincidence_numbers(const std::vector<KnownPoint>& points);
-
-/// Indices into `points`, every group ascending, groups by their first index; single points too.
-std::vector<std::vector<std::size_t>> coincidence_groups(const std::vector<KnownPoint>& points);
+/// The paths that come to these points, as many of each; every group in their order, groups by
+/// their first path; single points too.
+PathGroups coincidence_groups(const std::vector<std::uint64_t>& paths,
+                              const std::vector<KnownPoint>& points);
+/// The same of their places among `points`.
+PathGroups coincidence_groups(const std::vector<KnownPoint>& points);
 
 /// |x - y|_inf / max(1, |x|_inf).
 double relative_distance(const Point& x, const Point& y);

@@ -201,7 +201,7 @@ class Places {
   }
 
   /// Whole cycles that end there as often as the root counts keep their winding numbers.
-  bool is_filled_by(Run& run, const std::vector<std::uint64_t>& group) {
+  bool is_filled_by(Run& run, PathGroups::Group group) {
     const Root& end = run.table.roots().at(group.front());
     for (ExactRoot& place : places_) {
       const bool fits = place.multiplicity == group.size() && cycles(run.table, group) &&
@@ -234,7 +234,7 @@ class Places {
 std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
   const bool may_be_on_sets = run.bounds.ring.verdict != QuotientRing::Verdict::finite;
   std::vector<std::uint64_t> spare;
-  for (const auto& group : groups_of(run)) {
+  for (const PathGroups::Group group : groups_of(run)) {
     const auto proved = std::find_if(group.begin(), group.end(), [&](std::uint64_t path) {
       return run.table.roots().at(path).certificate != nullptr;
     });
@@ -282,7 +282,7 @@ bool lacks_ends(const Run& run) {
   const QuotientRing& ring = run.bounds.ring;
   if (ring.verdict != QuotientRing::Verdict::finite) return false;
   std::uint64_t ends = run.table.count(PathVerdict::as_rounded);
-  for (const auto& group : judge(run).roots) ends += group.size();
+  for (const PathGroups::Group group : judge(run).roots) ends += group.size();
   return ends < ring.dimension;
 }
 
@@ -298,9 +298,9 @@ void look_for_ring(Run& run) {
 bool are_as_counted(Run& run) {
   const QuotientRing& ring = run.bounds.ring;
   if (ring.verdict != QuotientRing::Verdict::finite || run.setting.stop) return false;
-  const auto groups = judge_ends_alone(run).roots;
+  const PathGroups groups = judge_ends_alone(run).roots;
   std::uint64_t roots = 0;
-  for (const auto& group : groups) {
+  for (const PathGroups::Group group : groups) {
     const Root& end = run.table.roots().at(group.front());
     if (!end.point.simple && is_on_set(run, end)) return false;
     roots += group.size();

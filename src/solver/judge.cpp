@@ -11,7 +11,7 @@ namespace moivre {
 namespace {
 
 /// One path at a simple root, whole cycles at a singular one, or ends on a set.
-bool stands(const Run& run, const EndsOfGroup& ends, const std::vector<std::uint64_t>& group) {
+bool stands(const Run& run, const EndsOfGroup& ends, PathGroups::Group group) {
   if (ends.singular.empty()) return group.size() == 1;
   const bool is_whole = group.size() > 1 && ends.simple.empty() && cycles(run.table, group);
   return is_whole || is_on_set(run, run.table.roots().at(ends.singular.front()));
@@ -21,7 +21,7 @@ bool stands(const Run& run, const EndsOfGroup& ends, const std::vector<std::uint
 void open(const EndsOfGroup& ends, JudgedEnds& judged) {
   for (const std::uint64_t path : ends.singular) judged.open[path] = Question::no_root;
   if (ends.simple.empty()) return;
-  judged.roots.push_back({ends.simple.front()});
+  judged.roots.add(ends.simple.front());
   for (std::size_t k = 1; k < ends.simple.size(); ++k) {
     judged.open[ends.simple[k]] = Question::jumped;
   }
@@ -31,16 +31,23 @@ void open(const EndsOfGroup& ends, JudgedEnds& judged) {
 /// of them is part of.
 void open_shared_sheets(const Run& run, const PathSet& shared, JudgedEnds& judged) {
   const auto is_shared = [&](std::uint64_t path) { return shared.contains(path); };
-  for (auto& group : judged.roots) {
-    if (std::none_of(group.begin(), group.end(), is_shared)) continue;
+  PathGroups left;
+  left.reserve(judged.roots.size(), judged.roots.path_count());
+  for (const PathGroups::Group group : judged.roots) {
+    if (std::none_of(group.begin(), group.end(), is_shared)) {
+      left.add(group);
+      continue;
+    }
     const Root& end = run.table.roots().at(group.front());
     const bool is_of_set = !end.point.simple && is_on_set(run, end);
     for (const std::uint64_t path : group) {
       if (is_shared(path) || !is_of_set) judged.open[path] = Question::no_root;
     }
-    std::erase_if(group, [&](std::uint64_t path) { return judged.open.contains(path); });
+    std::vector<std::uint64_t> others(group.begin(), group.end());
+    std::erase_if(others, [&](std::uint64_t path) { return judged.open.contains(path); });
+    if (!others.empty()) left.add(others);
   }
-  std::erase_if(judged.roots, [](const auto& group) { return group.empty(); });
+  judged.roots = std::move(left);
   for (const std::uint64_t path : shared) {
     Question& question = judged.open.try_emplace(path, Question::jumped).first->second;
     if (question == Question::no_root) question = Question::jumped;
@@ -50,7 +57,7 @@ void open_shared_sheets(const Run& run, const PathSet& shared, JudgedEnds& judge
 
 }  // namespace
 
-EndsOfGroup ends_of(const Run& run, const std::vector<std::uint64_t>& group) {
+EndsOfGroup ends_of(const Run& run, PathGroups::Group group) {
   EndsOfGroup ends;
   for (const std::uint64_t path : group) {
     (run.table.roots().at(path).point.simple ? ends.simple : ends.singular).push_back(path);
@@ -68,12 +75,12 @@ JudgedEnds judge_ends_alone(const Run& run) {
     judged.open.emplace(path, Question::no_root);
     judged.in_doubt.insert(path);
   }
-  std::vector<std::vector<std::uint64_t>> groups = groups_of(run);
-  judged.roots.reserve(groups.size());
-  for (auto& group : groups) {
+  const PathGroups groups = groups_of(run);
+  judged.roots.reserve(groups.size(), groups.path_count());
+  for (const PathGroups::Group group : groups) {
     const EndsOfGroup ends = ends_of(run, group);
     if (stands(run, ends, group)) {
-      judged.roots.push_back(std::move(group));
+      judged.roots.add(group);
       continue;
     }
     open(ends, judged);
@@ -93,11 +100,11 @@ JudgedEnds judge(const Run& run) {
 
 PathGroups clusters_at(const Run& run) {
   PathGroups clusters;
-  for (const auto& group : groups_of(run)) {
-    EndsOfGroup ends = ends_of(run, group);
+  for (const PathGroups::Group group : groups_of(run)) {
+    const EndsOfGroup ends = ends_of(run, group);
     if (group.size() == 1 || ends.singular.empty()) continue;
     const Root& end = run.table.roots().at(ends.singular.front());
-    if (!end.is_exact && !is_on_set(run, end)) clusters.push_back(std::move(ends.singular));
+    if (!end.is_exact && !is_on_set(run, end)) clusters.add(ends.singular);
   }
   return clusters;
 }

@@ -24,7 +24,7 @@ enum class Question { no_end, no_root, jumped };
 
 struct JudgedEnds {
   /// Paths that end at one point, each group ascending.
-  std::vector<std::vector<std::uint64_t>> roots;
+  PathGroups roots;
   /// By path; these end at none of the roots as far as is known.
   std::map<std::uint64_t, Question> open;
   /// Paths that may answer a question where they are followed again: those that are open and those
@@ -45,10 +45,7 @@ struct EndsOfGroup {
   std::vector<std::uint64_t> simple;
   std::vector<std::uint64_t> singular;
 };
-EndsOfGroup ends_of(const Run& run, const std::vector<std::uint64_t>& group);
-
-/// Paths, by the place where they end.
-using PathGroups = std::vector<std::vector<std::uint64_t>>;
+EndsOfGroup ends_of(const Run& run, PathGroups::Group group);
 
 /// The paths of each isolated place at which several end and some show no simple root: those,
 /// unless the root is known exactly. Throws Interrupted.

@@ -20,14 +20,14 @@ constexpr std::size_t kFirstAhead = 2;
 /// One path of each cluster goes ahead to a regular end.
 PathSet first_of(const PathGroups& clusters) {
   PathSet first;
-  for (const auto& cluster : clusters) first.insert(cluster.front());
+  for (const PathGroups::Group cluster : clusters) first.insert(cluster.front());
   return first;
 }
 
 /// Where it has found a simple root, so do the others.
 PathSet others_of(const Run& run, const PathGroups& clusters) {
   PathSet others;
-  for (const auto& cluster : clusters) {
+  for (const PathGroups::Group cluster : clusters) {
     const auto root = run.table.roots().find(cluster.front());
     if (root == run.table.roots().end() || !root->second.point.simple) continue;
     others.insert(std::next(cluster.begin()), cluster.end());

@@ -8,17 +8,17 @@
 
 namespace moivre {
 void count_ends(Run& run) {
-  std::vector<std::vector<std::uint64_t>> multiple;
-  for (auto& group : judge(run).roots) {
+  PathGroups multiple;
+  for (const PathGroups::Group group : judge(run).roots) {
     const Root& end = run.table.roots().at(group.front());
     if (group.size() > 1 && (end.point.simple || !is_on_set(run, end))) {
-      multiple.push_back(std::move(group));
+      multiple.add(group);
     }
   }
   if (multiple.empty()) return;
   const std::vector<ExactRoot> exact = exact_roots(run);
   PathSet left;
-  for (const auto& group : multiple) {
+  for (const PathGroups::Group group : multiple) {
     const bool is_one = is_counted_by(exact, run.table.roots().at(group.front()), group.size());
     (is_one ? run.counted_ends : left).insert(group.front());
   }

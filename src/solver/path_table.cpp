@@ -88,7 +88,7 @@ std::uint64_t PathTable::tracked() const {
   return std::accumulate(count_.begin(), count_.end(), std::uint64_t{0});
 }
 
-std::vector<std::vector<std::uint64_t>> PathTable::groups() const {
+PathGroups PathTable::groups() const {
   std::vector<std::uint64_t> paths;
   std::vector<KnownPoint> points;
   paths.reserve(roots_.size());
@@ -98,16 +98,10 @@ std::vector<std::vector<std::uint64_t>> PathTable::groups() const {
     paths.push_back(path);
     points.push_back({&root.point.x.point(), root.tolerance});
   }
-  const std::vector<std::size_t> numbers = coincidence_numbers(points);
-  points = {};
-  const auto last = std::max_element(numbers.begin(), numbers.end());
-  std::vector<std::vector<std::uint64_t>> groups(last == numbers.end() ? 0 : *last + 1);
-  for (std::size_t k = 0; k < paths.size(); ++k) groups[numbers[k]].push_back(paths[k]);
-  return groups;
+  return coincidence_groups(paths, points);
 }
 
-std::optional<std::vector<int>> cycles(const PathTable& table,
-                                       const std::vector<std::uint64_t>& group) {
+std::optional<std::vector<int>> cycles(const PathTable& table, PathGroups::Group group) {
   std::map<int, int> paths_of_winding;
   for (const std::uint64_t path : group) {
     ++paths_of_winding[table.roots().at(path).winding.value_or(1)];
@@ -143,7 +137,7 @@ std::vector<Point> missing_conjugates(const PathTable& table) {
   const std::size_t count = images.size();
   for (std::size_t k = 0; k < count; ++k) points.push_back({&images[k], points[k].tolerance});
   std::vector<Point> missing;
-  for (const auto& group : coincidence_groups(points)) {
+  for (const PathGroups::Group group : coincidence_groups(points)) {
     if (group.front() >= count) missing.push_back(images[group.front() - count]);
   }
   return missing;

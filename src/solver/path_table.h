@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "dimension.h"
+#include "path_groups.h"
 #include "refine.h"
 
 namespace moivre {
@@ -75,7 +76,7 @@ class PathTable {
   std::uint64_t tracked() const;
 
   /// Paths that end at one point, each group ascending; of ends that are not refuted.
-  std::vector<std::vector<std::uint64_t>> groups() const;
+  PathGroups groups() const;
 
  private:
   PathRecord& record(std::uint64_t path);
@@ -92,8 +93,7 @@ class PathTable {
 
 /// Number of cycles of each winding number that these paths make up; nullopt when they make no
 /// whole cycles, so that a path is missing or one is too many.
-std::optional<std::vector<int>> cycles(const PathTable& table,
-                                       const std::vector<std::uint64_t>& group);
+std::optional<std::vector<int>> cycles(const PathTable& table, PathGroups::Group group);
 
 /// Simple roots, not real, whose complex conjugate is not among the roots.
 std::vector<Point> missing_conjugates(const PathTable& table);

@@ -62,7 +62,8 @@ Solution eliminated_root(const Setting& setting) {
   root.point.simple = root.certificate || x.empty();
   Run run(setting);
   run.table.enter_root(0, std::move(root));
-  return solution_of(run, {0}, {1});
+  const std::uint64_t path = 0;
+  return solution_of(run, PathGroups::Group(&path, 1), {1});
 }
 
 /// Elimination is exact: so many roots there are.

@@ -8,6 +8,7 @@
 #include "certificates.h"
 #include "clusters.h"
 #include "completeness.h"
+#include "group_lists.h"
 #include "judge.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 #include "problem_set.h"
@@ -509,8 +510,8 @@ TEST_F(CertifiedEnds, RootsNearerThanTheirTolerancesAreTwoByProof) {
   enter_root(0, 1);
   enter_root(1, 1 + 1e-14);
   enter_root(2, 1);
-  EXPECT_EQ(run.table.groups(), (std::vector<std::vector<std::uint64_t>>{{0, 1, 2}}));
-  EXPECT_EQ(groups_of(run), (std::vector<std::vector<std::uint64_t>>{{0, 2}, {1}}));
+  EXPECT_EQ(test::lists_of(run.table.groups()), (test::GroupLists{{0, 1, 2}}));
+  EXPECT_EQ(test::lists_of(groups_of(run)), (test::GroupLists{{0, 2}, {1}}));
   EXPECT_EQ(proved_roots(run), 2U);
 }
 

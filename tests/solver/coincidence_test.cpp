@@ -4,19 +4,20 @@
 
 #include <gtest/gtest.h>
 
+#include "group_lists.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre {
 namespace {
 
-using Groups = std::vector<std::vector<std::size_t>>;
+using Groups = test::GroupLists;
 
 constexpr double kTolerance = 1e-8;
 
 Groups groups_of(const std::vector<Point>& points, double tolerance = kTolerance) {
   std::vector<KnownPoint> known;
   for (const Point& x : points) known.push_back({&x, tolerance});
-  return coincidence_groups(known);
+  return test::lists_of(coincidence_groups(known));
 }
 
 TEST(CoincidenceGroups, OfNoPointsAreNone) { EXPECT_EQ(groups_of({}), Groups{}); }
@@ -48,8 +49,10 @@ TEST(CoincidenceGroups, TellConjugatesAndSignsApart) {
 TEST(CoincidenceGroups, ReachFromALooselyKnownPointToAWellKnownOne) {
   const Point loose{1};
   const Point sharp{1 + 1e-4};
-  EXPECT_EQ(coincidence_groups({{&loose, 1e-3}, {&sharp, 1e-14}}), (Groups{{0, 1}}));
-  EXPECT_EQ(coincidence_groups({{&loose, 1e-6}, {&sharp, 1e-14}}), (Groups{{0}, {1}}));
+  EXPECT_EQ(test::lists_of(coincidence_groups({{&loose, 1e-3}, {&sharp, 1e-14}})),
+            (Groups{{0, 1}}));
+  EXPECT_EQ(test::lists_of(coincidence_groups({{&loose, 1e-6}, {&sharp, 1e-14}})),
+            (Groups{{0}, {1}}));
 }
 
 TEST(CoincidenceGroups, FindEveryPairAmongManyPoints) {
@@ -68,7 +71,7 @@ TEST(CoincidenceGroups, FindEveryPairAmongManyPoints) {
     const Groups groups = groups_of(points);
     ASSERT_EQ(groups.size(), kPairs);
     for (std::size_t k = 0; k < kPairs; ++k) {
-      EXPECT_EQ(groups[k], (std::vector<std::size_t>{k, k + kPairs}));
+      EXPECT_EQ(groups[k], (std::vector<std::uint64_t>{k, k + kPairs}));
     }
   }
 }

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "certificates.h"
+#include "group_lists.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "problem_set.h"
 #include "settle.h"
@@ -18,7 +19,7 @@
 namespace moivre {
 namespace {
 
-using Groups = std::vector<std::vector<std::uint64_t>>;
+using Groups = test::GroupLists;
 
 /// Ends that were seen of paths of (x - 1)^2 (x - 2) (x - 3) = 0, given by hand.
 class JudgedPaths : public testing::Test {
@@ -43,7 +44,7 @@ class JudgedPaths : public testing::Test {
   }
   void lost(std::uint64_t path) { run.table.enter_failure({path, Failure::step_limit, 0.5}); }
   Groups roots() {
-    Groups groups = judge(run).roots;
+    Groups groups = test::lists_of(judge(run).roots);
     std::sort(groups.begin(), groups.end());
     return groups;
   }
@@ -83,7 +84,7 @@ TEST_F(JudgedPaths, HaveJumpedWhereAnotherEndsAtTheSameSimpleRoot) {
   simple(0, 2);
   simple(1, 2);
   const JudgedEnds judged = judge(run);
-  EXPECT_EQ(judged.roots, (Groups{{0}}));
+  EXPECT_EQ(test::lists_of(judged.roots), (Groups{{0}}));
   EXPECT_EQ(judged.open.at(1), Question::jumped);
   EXPECT_EQ(judged.in_doubt, (PathSet{0, 1}));  // which of them, nothing tells
 }
@@ -96,7 +97,7 @@ TEST_F(JudgedPaths, HaveJumpedWhereTheyCameBackToOneSheet) {
   run.sheets.set(3, 0.25);
   run.table.enter_infinity(3);
   const JudgedEnds judged = judge(run);
-  EXPECT_EQ(judged.roots, (Groups{{0}}));
+  EXPECT_EQ(test::lists_of(judged.roots), (Groups{{0}}));
   EXPECT_EQ(judged.open.at(1), Question::no_root);  // its cycle has lost a sheet
   EXPECT_EQ(judged.open.at(2), Question::jumped);
   EXPECT_EQ(judged.open.at(3), Question::jumped);
@@ -175,7 +176,7 @@ TEST_F(JudgedPaths, AreJudgedTheSameTwice) {
   lost(3);
   const JudgedEnds once = judge(run);
   const JudgedEnds twice = judge(run);
-  EXPECT_EQ(once.roots, twice.roots);
+  EXPECT_EQ(test::lists_of(once.roots), test::lists_of(twice.roots));
   EXPECT_EQ(once.open, twice.open);
   EXPECT_EQ(once.in_doubt, twice.in_doubt);
 }

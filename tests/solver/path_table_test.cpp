@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "group_lists.h"
+
 namespace moivre {
 namespace {
 
@@ -86,34 +88,34 @@ TEST(PathTable, GroupsPathsThatEndAtOnePoint) {
   table.enter_root(7, root_at({1, 2}, 2));
   table.enter_root(3, root_at({1 + 1e-9, 2}, 2));
   table.enter_root(5, root_at({4, 4}));
-  EXPECT_EQ(table.groups(), (std::vector<std::vector<std::uint64_t>>{{3, 7}, {5}}));
+  EXPECT_EQ(test::lists_of(table.groups()), (test::GroupLists{{3, 7}, {5}}));
 }
 
 TEST(Cycles, OfASimpleEndAreOneTurn) {
   PathTable table;
   table.enter_root(0, root_at({1}));
-  EXPECT_EQ(cycles(table, {0}), std::vector<int>{1});
+  EXPECT_EQ(cycles(table, std::vector<std::uint64_t>{0}), std::vector<int>{1});
 }
 
 TEST(Cycles, OfFourPathsWithTwoTurnsAreTwo) {
   PathTable table;
   for (const std::uint64_t path : {0U, 1U, 2U, 3U}) table.enter_root(path, root_at({1}, 2));
-  EXPECT_EQ(cycles(table, {0, 1, 2, 3}), (std::vector<int>{2, 2}));
+  EXPECT_EQ(cycles(table, std::vector<std::uint64_t>{0, 1, 2, 3}), (std::vector<int>{2, 2}));
 }
 
 TEST(Cycles, OfDifferentWindingNumbersStandSideBySide) {
   PathTable table;
   for (const std::uint64_t path : {0U, 1U, 2U}) table.enter_root(path, root_at({1}, 3));
   for (const std::uint64_t path : {3U, 4U}) table.enter_root(path, root_at({1}, 2));
-  EXPECT_EQ(cycles(table, {0, 1, 2, 3, 4}), (std::vector<int>{2, 3}));
+  EXPECT_EQ(cycles(table, std::vector<std::uint64_t>{0, 1, 2, 3, 4}), (std::vector<int>{2, 3}));
 }
 
 TEST(Cycles, DoNotCloseWhenAPathIsMissingOrOneTooMany) {
   PathTable table;
   for (const std::uint64_t path : {0U, 1U, 2U, 3U}) table.enter_root(path, root_at({1}, 3));
-  EXPECT_EQ(cycles(table, {0, 1}), std::nullopt);
-  EXPECT_NE(cycles(table, {0, 1, 2}), std::nullopt);
-  EXPECT_EQ(cycles(table, {0, 1, 2, 3}), std::nullopt);
+  EXPECT_EQ(cycles(table, std::vector<std::uint64_t>{0, 1}), std::nullopt);
+  EXPECT_NE(cycles(table, std::vector<std::uint64_t>{0, 1, 2}), std::nullopt);
+  EXPECT_EQ(cycles(table, std::vector<std::uint64_t>{0, 1, 2, 3}), std::nullopt);
 }
 
 TEST(MissingConjugates, AreNoneOfAClosedSet) {
