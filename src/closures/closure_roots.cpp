@@ -223,12 +223,18 @@ void drop_proofs_within_rounding(const Formulation& formulation, RootProver& pro
   }
 }
 
+/// The pose beside a root, as the mechanism is typed; nothing where it does not close there.
+std::optional<Eigen::VectorXd> pose_beside(const ClosureSearch& search, const Point& root) {
+  const NewtonResult pose =
+      newton(search.phi, coordinates_of_root(search.formulation, root), search.options.time);
+  if (!closes(search, pose)) return std::nullopt;
+  return search.phi.canonical(pose.q);
+}
+
 /// Whether the mechanism, as it is typed, closes in the root's pose and stands still there.
 bool stands_still(const ClosureSearch& search, const Point& root) {
-  const double t = search.options.time;
-  const NewtonResult pose = newton(search.phi, coordinates_of_root(search.formulation, root), t);
-  return closes(search, pose) &&
-         !moves_at(search.phi, search.phi.canonical(pose.q), t, search.options.solve.seed);
+  const auto pose = pose_beside(search, root);
+  return pose && !moves_at(search.phi, *pose, search.options.time, search.options.solve.seed);
 }
 
 /// Rounding of frames, or in redundant equations of the file's numbers, moves roots.
@@ -236,10 +242,16 @@ bool is_rounded(const Formulation& formulation) {
   return formulation.has_rounded_frames || has_spare_equations(formulation);
 }
 
-/// Whether the midpoint of two roots is a root but for rounding, and no point of a set: then
-/// rounding may have made them of one, or of none, by what it does to a double root.
-bool may_be_one(const ClosureSearch& search, const ResidualOfRoots& residual, const Point& a,
-                const Point& b) {
+Point midpoint_of(const Point& a, const Point& b) {
+  Point midpoint(a.size());
+  for (std::size_t v = 0; v < a.size(); ++v) midpoint[v] = 0.5 * (a[v] + b[v]);
+  return midpoint;
+}
+
+/// Whether the midpoint of two roots is a root but for rounding: then rounding may have made them
+/// of one, or of none, by what it does to a double root; or of a set.
+bool has_root_between(const ClosureSearch& search, const ResidualOfRoots& residual, const Point& a,
+                      const Point& b) {
   // Farther apart than the square root of rounding by far.
   constexpr double kFarApart = 1e-4;
   // What rounding leaves in an equation: of the solution alone, or of a file's numbers and of what
@@ -247,40 +259,56 @@ bool may_be_one(const ClosureSearch& search, const ResidualOfRoots& residual, co
   constexpr double kOfSolution = 1e-15;
   constexpr double kOfCoefficients = 1e-14;
   if (apart(search.formulation, a, b) > kFarApart) return false;
-  Point midpoint(a.size());
-  for (std::size_t v = 0; v < a.size(); ++v) midpoint[v] = 0.5 * (a[v] + b[v]);
   const double rounding = is_rounded(search.formulation) ? kOfCoefficients : kOfSolution;
-  return residual(midpoint) <= rounding && stands_still(search, midpoint);
+  return residual(midpoint_of(a, b)) <= rounding;
+}
+
+void merge(const Formulation& formulation, const Solution& other, Solution& into) {
+  const double gap = apart(formulation, into.x, other.x);
+  into.radius = std::max(into.radius, max_distance(into.x, other.x));
+  into.x = midpoint_of(into.x, other.x);
+  into.multiplicity += other.multiplicity;
+  into.winding = {static_cast<int>(into.multiplicity)};
+  into.singular = into.cluster = true;
+  into.accuracy = std::max(into.accuracy, gap);
+  into.real = distance_from_real(formulation, into.x) <= kHoldsSingular;
 }
 
 /// Roots that rounding may have made of a double root, none of them proved of the mechanism as
 /// typed, are a cluster: two closures, or none, or one as often. At a dead point rounding alone
 /// says whether two roots are real: that of the solution, of which the condition tells, or that of
-/// frames, and in redundant equations that of the file's numbers.
+/// frames, and in redundant equations that of the file's numbers. Where the mechanism moves at the
+/// double root they are no closures: a dyad's two roots are parted, and between them its lines are
+/// one, along which the next dyad slides.
 void merge_unproved(ClosureSearch& search, const ResidualOfRoots& residual) {
   std::vector<Solution>& roots = search.result.solutions;
   const auto is_unproved = [&](const Solution& root) {
     if (root.certified == true) return false;
     return root.singular ? root.cluster : is_rounded(search.formulation) || may_be_several(root);
   };
+  const auto erase = [&](std::size_t k) {
+    roots.erase(roots.begin() + static_cast<std::ptrdiff_t>(k));
+  };
   for (std::size_t i = 0; i < roots.size(); ++i) {
     for (std::size_t j = i + 1; j < roots.size();) {
-      if (!is_unproved(roots[i]) || !is_unproved(roots[j]) ||
-          !may_be_one(search, residual, roots[i].x, roots[j].x)) {
+      const bool may_meet = is_unproved(roots[i]) && is_unproved(roots[j]) &&
+                            has_root_between(search, residual, roots[i].x, roots[j].x);
+      const auto pose =
+          may_meet ? pose_beside(search, midpoint_of(roots[i].x, roots[j].x)) : std::nullopt;
+      if (!pose) {
         ++j;
         continue;
       }
-      const double gap = apart(search.formulation, roots[i].x, roots[j].x);
-      roots[i].radius = std::max(roots[i].radius, max_distance(roots[i].x, roots[j].x));
-      for (std::size_t k = 0; k < roots[i].x.size(); ++k) {
-        roots[i].x[k] = 0.5 * (roots[i].x[k] + roots[j].x[k]);
+      auto moves = moves_at(search.phi, *pose, search.options.time, search.options.solve.seed);
+      if (moves) {
+        if (!search.result.moves) search.result.moves = std::move(moves);
+        erase(j);
+        erase(i);
+        j = i + 1;
+        continue;
       }
-      roots[i].multiplicity += roots[j].multiplicity;
-      roots[i].winding = {static_cast<int>(roots[i].multiplicity)};
-      roots[i].singular = roots[i].cluster = true;
-      roots[i].accuracy = std::max(roots[i].accuracy, gap);
-      roots[i].real = distance_from_real(search.formulation, roots[i].x) <= kHoldsSingular;
-      roots.erase(roots.begin() + static_cast<std::ptrdiff_t>(j));
+      merge(search.formulation, roots[j], roots[i]);
+      erase(j);
     }
   }
 }
@@ -291,7 +319,7 @@ RootCompleteness completeness(const Formulation& formulation, const RootProver& 
   const bool all_certified = std::all_of(roots.begin(), roots.end(), [](const Solution& root) {
     return root.singular || root.certified == true;
   });
-  if (!run.complete || run.moves || !all_certified) return RootCompleteness::open;
+  if (!run.complete || run.moves || result.moves || !all_certified) return RootCompleteness::open;
   const bool is_proved =
       run.is_proved && !formulation.lacks_typed_terms && prover.knows_terms() &&
       std::none_of(roots.begin(), roots.end(), [](const auto& root) { return root.singular; });

@@ -27,9 +27,12 @@ constexpr double kOfSolved = 20;
 constexpr double kFirstStep = 0.25;
 constexpr double kLeastStep = 0.01;
 // In radians and of the mechanism's mean length: steps that a valley's bends allow, and so many
-// that a whole turn is within them.
+// that a whole turn is within them. Along a straight valley lengths go by the pose's own size: what
+// slides along lines that fit does not part from parallel ones goes on without end.
 constexpr double kLongestStep = 0.1;
 constexpr int kSteps = 100;
+// Of a step: what a bend of a tenth of a step's length puts right is more.
+constexpr double kStraight = 0.01;
 // Where valleys cross, their directions are sums of the weakest ones.
 constexpr Index kCrossing = 3;
 
@@ -74,24 +77,39 @@ bool WithinFit::correct(VectorXd& q, const VectorXd& way) const {
   return false;
 }
 
+/// How long the next step may be, behind one of `length` along `way` to q that was put right by
+/// `correction`.
+double WithinFit::next_length(const VectorXd& q, const VectorXd& way, double length,
+                              double correction) const {
+  double longest = kLongestStep;
+  if (correction <= kStraight * length) {
+    const VectorXd of_pose = way.cwiseProduct(unit_).cwiseQuotient(sizes_of(phi_, q));
+    longest = std::max(longest, kLongestStep / of_pose.lpNorm<Eigen::Infinity>());
+  }
+  return std::min(2 * length, longest);
+}
+
 /// How far from q W goes on along a curve that begins along `way`.
 double WithinFit::reach(const VectorXd& q, VectorXd way) const {
   const double first = kFirstStep * std::sqrt(share_);
   double length = std::min(first, kLongestStep);
+  const VectorXd size = sizes_of(phi_, q);
   double farthest = 0;
   VectorXd here = q;
   for (int k = 0; k < kSteps && length >= kLeastStep * first; ++k) {
     VectorXd next = here + length * unit_.cwiseProduct(way);
     const VectorXd begun = next;
     const bool is_in = correct(next, way);
-    if (!is_in || (next - begun).cwiseQuotient(unit_).norm() > 2 * length) {
+    const double correction = (next - begun).cwiseQuotient(unit_).norm();
+    if (!is_in || correction > 2 * length) {
       length /= 2;
       continue;
     }
     way = (next - here).cwiseQuotient(unit_).normalized();
     here = next;
-    farthest = std::max(farthest, distance(phi_, q, here));
-    length = std::min(2 * length, kLongestStep);
+    const VectorXd gone = phi_.canonical(here - q).cwiseQuotient(size);
+    farthest = std::max(farthest, gone.lpNorm<Eigen::Infinity>());
+    length = next_length(here, way, length, correction);
   }
   return farthest;
 }
@@ -131,7 +149,8 @@ bool WithinFit::joins(const VectorXd& a, const VectorXd& b) const {
   for (int k = 0; k < kSteps && length >= kLeastStep * first; ++k) {
     if (gap.norm() <= first) return true;
     const VectorXd way = gap.normalized();
-    VectorXd next = here + std::min(length, gap.norm()) * unit_.cwiseProduct(way);
+    const VectorXd begun = here + std::min(length, gap.norm()) * unit_.cwiseProduct(way);
+    VectorXd next = begun;
     const bool is_in = correct(next, way);
     const VectorXd left = gap_of(next);
     // No way round: it comes nearer with every step.
@@ -141,7 +160,7 @@ bool WithinFit::joins(const VectorXd& a, const VectorXd& b) const {
     }
     here = next;
     gap = left;
-    length = std::min(2 * length, kLongestStep);
+    length = next_length(here, way, length, (next - begun).cwiseQuotient(unit_).norm());
   }
   return false;
 }

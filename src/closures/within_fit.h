@@ -9,7 +9,8 @@
 // sigma: singular values of Phi_q in own units (kinematics/own_units.h). A direction is weak where
 // sigma is below the root of fit: then fit, and not Phi_q, says how far the pose can go, and no
 // root need be near.
-// play: how far from a pose W reaches, as distance() in closures/same_pose.h measures it.
+// play: how far from a pose W reaches, angles in radians and lengths by that pose's size: 1e3 and
+// more where something slides without end along lines that fit does not part from parallel ones.
 // Edges: a valley that branches is followed from the pose alone, along its weak directions and
 // their sums.
 #pragma once
@@ -38,6 +39,8 @@ class WithinFit {
  private:
   Eigen::MatrixXd weak_directions(const Eigen::VectorXd& q) const;
   bool correct(Eigen::VectorXd& q, const Eigen::VectorXd& way) const;
+  double next_length(const Eigen::VectorXd& q, const Eigen::VectorXd& way, double length,
+                     double correction) const;
   double reach(const Eigen::VectorXd& q, Eigen::VectorXd way) const;
 
   const Phi& phi_;

@@ -75,6 +75,40 @@ TEST(Fit, AtAFoldTwoClosuresHangTogetherAndReachTheRootOfFit) {
   }
 }
 
+// Two lines cross at an angle of 5e-7: within fit the block goes along both without end. Only what
+// is within ten lengths of the mechanism hung together, and play was measured by the far pose.
+TEST(Fit, WhatSlidesWithoutEndIsOneClosure) {
+  const Mechanism mechanism = mechanism_text(R"toml(
+fit = 0.005
+[ground.points]
+A = [0, 0]
+B = [1, 1]
+[body.block.points]
+C = [0, 0]
+[[joint]]
+type = "prismatic"
+at = ["ground.A", "block.C"]
+along = [1, 1]
+[[joint]]
+type = "slot"
+at = ["ground.B", "block.C"]
+along = [1, 1.000001]
+)toml");
+  const ClosureResult result = closures_of(mechanism);
+  EXPECT_TRUE(result.complete) << result.message;
+  ASSERT_EQ(result.closures.size(), 1U) << result.message;
+  EXPECT_GT(*result.closures.front().play, 100);
+  const Phi phi(mechanism);
+  const WithinFit within(phi, *mechanism.fit, 0);
+  const VectorXd& here = result.closures.front().q;
+  for (const double far : {-60.0, 60.0}) {
+    const VectorXd there = here + far * Eigen::Vector3d(1, 1, 0);
+    EXPECT_TRUE(within.joins(here, there)) << far;
+    EXPECT_TRUE(within.joins(there, here)) << far;
+    EXPECT_LT((there - here).norm(), 1.5 * *result.closures.front().play);
+  }
+}
+
 TEST(Fit, TwoClosuresFarFromAFoldDoNotHangTogether) {
   const Mechanism mechanism = four_bar("2", "3", "4", "5", "1", 1e-3);
   const ClosureResult result = closures_of(mechanism);

@@ -82,6 +82,55 @@ start = 0.0)toml");
   }
 }
 
+/// A slot stands across the arm that turns it: two roots of the first dyad are one, which its
+/// direction of length 1 parts by 1e-8. Between them, where it was drawn, the lines of two slides
+/// are one, and the bodies of the second dyad go along it.
+TEST(Moves, ADoubleRootAtWhichLinesAreOneIsAPlaceOfASet) {
+  const Mechanism mechanism = mechanism_text(R"toml(
+[ground.points]
+P0 = [2, -6]
+P2 = [6, -6]
+P9 = [-3, 5]
+[body.b1.points]
+P1 = [2, -6]
+P5 = [-4, 2]
+[body.b2.points]
+P3 = [6, -6]
+P4 = [4, 12]
+P8 = [-3, 5]
+[body.b3.points]
+P6 = [-2, 6]
+[body.b4.points]
+P7 = [-2, 6]
+[[joint]]
+type = "revolute"
+at = ["ground.P0", "b1.P1"]
+[[joint]]
+type = "revolute"
+at = ["ground.P2", "b2.P3"]
+[[joint]]
+type = "slot"
+at = ["b2.P4", "b1.P5"]
+along = [-8, -10]
+[[joint]]
+type = "revolute"
+at = ["b3.P6", "b4.P7"]
+[[joint]]
+type = "prismatic"
+at = ["b2.P8", "b3.P6"]
+along = [1, 1]
+[[joint]]
+type = "prismatic"
+at = ["ground.P9", "b4.P7"]
+along = [1, 1]
+[[driver]]
+angle = "b1"
+start = 0
+)toml");
+  expect_moves(mechanism, 1);
+  EXPECT_TRUE(closures_of(mechanism).closures.empty());
+}
+
 /// The triangle, with a link of length 1 that dangles from its tip.
 Mechanism triangle_with_a_tail(const std::string& base) {
   return mechanism_text(test::triangle_text(base) + R"toml(
