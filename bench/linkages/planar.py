@@ -204,6 +204,11 @@ class Planar:
         q[:, 2::3] = r.uniform(-math.pi, math.pi, (count, n))
         return q
 
+    def pose_sizes(self, q):
+        """Of a step's coordinates, beside the pose q (n)."""
+        size = max(self.size(), np.abs(q.reshape(-1, 3)[:, :2]).max())
+        return np.tile([size, size, 1.0], len(self.bodies) - 1)
+
     def size(self):
         return max([1.0] + [abs(c) for points in self.points for p in points.values() for c in p])
 

@@ -256,6 +256,11 @@ class Spatial:
             q[:, c + 9:c + 12] = r.uniform(-self.size(), self.size(), (count, 3))
         return q
 
+    def pose_sizes(self, q):
+        """Of a step's coordinates, beside the pose q (n)."""
+        size = max(self.size(), np.abs(q.reshape(-1, 12)[:, 9:]).max())
+        return np.tile([1.0] * 3 + [size] * 3, len(self.bodies) - 1)
+
     def size(self):
         return max([1.0] + [abs(c) for points in self.points for p in points.values() for c in p])
 

@@ -3,6 +3,8 @@
 
 Rows that compare directions or angles are taken at a lever arm of the linkage's size, as docs/mechanism-file.md has it.
 """
+import math
+
 import numpy as np
 
 
@@ -49,6 +51,13 @@ class WithinFit:
             q = self.m.moved(q[None], (step * self.units)[None])[0]
         return None
 
+    def next_length(self, q, way, length, correction):
+        """Of a step from q: bends allow 0.1, a straight way 0.1 of the pose's size."""
+        longest = 0.1
+        if correction < 0.01 * length:
+            longest = max(longest, 0.1 / np.abs(way * self.units / self.m.pose_sizes(q)).max())
+        return min(2 * length, longest)
+
     def joins(self, a, b):
         """Whether poses between them are within the fit: along the chord."""
         first = 0.2 * self.share ** 0.5
@@ -61,12 +70,14 @@ class WithinFit:
             if length < 0.01 * first:
                 return False
             way = gap / size
-            then = self.corrected(self.m.moved(here[None], (min(length, size) * way * self.units)[None])[0], way)
+            there = self.m.moved(here[None], (min(length, size) * way * self.units)[None])[0]
+            then = self.corrected(there, way)
             left = None if then is None else self.m.step_between(then, b) / self.units
             if left is None or np.linalg.norm(left) > size - length / 4:
                 length /= 2
                 continue
-            here, gap, length = then, left, min(2 * length, 0.1)
+            length = self.next_length(then, way, length, np.linalg.norm(self.m.step_between(there, then) / self.units))
+            here, gap = then, left
         return False
 
     def walk(self, q):
@@ -81,14 +92,15 @@ class WithinFit:
                 for _ in range(80):
                     there = self.m.moved(here[None], (length * way * self.units)[None])[0]
                     then = self.corrected(there, way)
-                    if then is None or np.linalg.norm(self.m.step_between(there, then) / self.units) > 2 * length:
+                    correction = math.inf if then is None else np.linalg.norm(self.m.step_between(there, then) / self.units)
+                    if correction > 2 * length:
                         length /= 2
                         if length < 0.002 * self.share ** 0.5:
                             break
                         continue
                     way = self.m.step_between(here, then) / self.units
                     way /= np.linalg.norm(way)
-                    here, length = then, min(2 * length, 0.1)
+                    here, length = then, self.next_length(then, way, length, correction)
                     yield here
 
     def hangs_together(self, q, others):

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -369,14 +370,17 @@ Point values_of(const PartialRoot& root) {
 /// two roots rounding has parted by next to nothing it says no more than that. They are a cluster
 /// of two.
 void merge_pairs(const Formulation& formulation, std::vector<PartialRoot>& roots) {
-  // Of the condition times the distance; on a set rounding leaves roots anywhere.
+  // Of the condition times the distance; on a set rounding leaves roots anywhere. A condition that
+  // double cannot measure, of a pivot that rounding made 0, is as large as it can.
   constexpr double kExplained = 1e6;
+  constexpr double kMeasured = 1 / std::numeric_limits<double>::epsilon();
   for (std::size_t i = 0; i < roots.size(); ++i) {
     if (roots[i].singular || roots[i].condition < kUndetermined) continue;
     for (std::size_t j = i + 1; j < roots.size(); ++j) {
       if (roots[j].singular || roots[j].condition < kUndetermined) continue;
       const double gap = apart(formulation, values_of(roots[i]), values_of(roots[j]));
-      if (gap * std::max(roots[i].condition, roots[j].condition) > kExplained) continue;
+      const double condition = std::max(roots[i].condition, roots[j].condition);
+      if (gap * std::min(condition, kMeasured) > kExplained) continue;
       for (std::size_t v = 0; v < roots[i].value.size(); ++v) {
         KnownValue& value = roots[i].value[v];
         const Complex mean = 0.5 * (value->rounded + roots[j].value[v]->rounded);

@@ -495,5 +495,62 @@ start = 0.0
   }
 }
 
+// The double root of a flat loop comes twice, both alike to twelve digits: the Jacobian has a pivot
+// of 0, and a condition of infinity was taken for a point of a set.
+TEST(NearADeadPoint, TwoRootsAlikeWhoseConditionIsInfiniteAreACluster) {
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const ClosureResult result = closures_of(mechanism_text(R"toml(space = "spatial"
+[ground.points]
+P0 = [0.0, 0.0, 0.0]
+[body.b1.points]
+P1 = [0.0, 0.0, 0.0]
+P2 = [6.0, 0.0, 0.0]
+[body.b2.points]
+P3 = [6.0, 0.0, 0.0]
+P4 = [-2.0, 0.0, 0.0]
+[body.b3.points]
+P5 = [-2.0, 1.0, 0.0]
+P6 = [6.0, 0.0, 0.0]
+[body.b4.points]
+P7 = [6.0, 0.0, 0.0]
+P8 = [0.0, 0.0, 0.0]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.P0", "b1.P1"]
+axis = [0.6, 0.0, 0.8]
+[[joint]]
+type = "universal"
+name = "j1"
+at = ["b1.P2", "b2.P3"]
+axis = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]
+[[joint]]
+type = "cylindrical"
+name = "j2"
+at = ["b2.P4", "b3.P5"]
+axis = [0.0, 1.0, 0.0]
+[[joint]]
+type = "revolute"
+name = "j3"
+at = ["b3.P6", "b4.P7"]
+axis = [0.6, 0.0, 0.8]
+[[joint]]
+type = "revolute"
+name = "j4"
+at = ["b4.P8", "ground.P0"]
+axis = [0.0, 0.6, 0.8]
+[[driver]]
+angle = "j0"
+start = 0.0
+)toml"),
+                                             seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    const bool has_drawn = std::any_of(
+        result.closures.begin(), result.closures.end(),
+        [](const Closure& closure) { return closure.q.lpNorm<Eigen::Infinity>() < 1e-6; });
+    EXPECT_TRUE(has_drawn) << "seed " << seed << ": " << result.message;
+  }
+}
+
 }  // namespace
 }  // namespace moivre
