@@ -116,7 +116,7 @@ class PoseList {
   void solve(std::size_t begin, std::size_t count,
              const std::function<void(ArmResult&& result)>& take) {
     ResultJobs jobs;
-    jobs.list = list_of(begin, count);
+    if (options_.observations != nullptr) jobs.list = list_of(begin, count);
     jobs.count = count;
     jobs.together = kDrawnTogether * threads();
     jobs.pose = [&](std::size_t job) -> const Eigen::Isometry3d& {
@@ -124,9 +124,7 @@ class PoseList {
     };
     jobs.solve = [&](std::span<const std::size_t> some) { return solve_some(begin, some); };
     jobs.tell = [&] { tell(); };
-    for (ArmResult& result : observe_results(jobs, tracker_, options_, stop_)) {
-      take(std::move(result));
-    }
+    observe_results(jobs, tracker_, options_, stop_, take);
   }
 
  private:

@@ -72,7 +72,10 @@ std::vector<ArmResult> find_closures_of_each(const std::vector<Arm>& arms, const
     }
     return results;
   };
-  return observe_results(jobs, tracker, options, stop);
+  std::vector<ArmResult> results;
+  observe_results(jobs, tracker, options, stop,
+                  [&](ArmResult&& result) { results.push_back(std::move(result)); });
+  return results;
 }
 
 }  // namespace moivre

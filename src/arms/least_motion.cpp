@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "moivre/factorization/svd.h"
 #include "six_equations.h"
@@ -23,38 +24,55 @@ using Square = Eigen::Matrix<double, N, N>;
 template <int N>
 using Column = Eigen::Matrix<double, N, 1>;
 
-/// T = Q^T G Q, Q the product of reflections 1 - 2 u u^T.
+/// T = Q^T G Q, Q the product of reflections 1 - share u u^T.
 template <int N>
 struct Tridiagonal {
   std::array<double, N> diagonal{};
   std::array<double, N> beside{};  ///< [k]: between k and k + 1
-  std::array<Column<N>, N> u;
+  std::array<Column<N>, N> u;      ///< [k]: from k + 1 on, where the others are 0
+  std::array<double, N> share{};
 };
+
+/// Takes row and column k of G, whose lower half is read and written, to `beside`.
+template <int N, int k>
+void reflect(Square<N>& G, Tridiagonal<N>& T) {
+  constexpr int kRest = N - k - 1;
+  using Rest = Column<kRest>;
+  auto& result = T.u[k];
+  result.setZero();
+  Rest u = G.template block<kRest, 1>(k + 1, k);
+  const double square = u.squaredNorm();
+  const double size = u[0] < 0 ? -std::sqrt(square) : std::sqrt(square);
+  const double half = square + size * u[0];  // of |u|^2, with size added to its first number
+  T.beside[k] = half > 0 ? -size : 0;
+  if (!(half > 0)) return;
+  u[0] += size;
+  T.share[k] = 1 / half;
+  // G - u w^T - w u^T, w = (1 - u u^T share / 2) G u share
+  auto rest = G.template bottomRightCorner<kRest, kRest>();
+  Rest w = Rest::Zero();
+  for (int j = 0; j < kRest; ++j) {
+    w[j] += rest(j, j) * u[j];
+    for (int i = j + 1; i < kRest; ++i) {
+      w[i] += rest(i, j) * u[j];
+      w[j] += rest(i, j) * u[i];
+    }
+  }
+  w *= T.share[k];
+  w -= (T.share[k] / 2 * u.dot(w)) * u;
+  for (int j = 0; j < kRest; ++j) {
+    for (int i = j; i < kRest; ++i) rest(i, j) -= u[i] * w[j] + w[i] * u[j];
+  }
+  result.template tail<kRest>() = u;
+}
 
 template <int N>
 Tridiagonal<N> tridiagonal(Square<N> G) {
   Tridiagonal<N> result;
-  for (int k = 0; k + 2 < N; ++k) {
-    Column<N>& u = result.u[static_cast<std::size_t>(k)];
-    u.setZero();
-    double size = 0;
-    for (int i = k + 1; i < N; ++i) u[i] = G(i, k), size += u[i] * u[i];
-    size = std::sqrt(size);
-    u[k + 1] += u[k + 1] < 0 ? -size : size;
-    const double norm = u.squaredNorm();
-    if (!(norm > 0)) continue;
-    // G - u w^T - w u^T
-    const double factor = 2 / norm;
-    Column<N> w = factor * (G * u);
-    w -= (factor / 2 * u.dot(w)) * u;
-    G.noalias() -= u * w.transpose();
-    G.noalias() -= w * u.transpose();
-    u *= std::sqrt(factor);  // 1 - u u^T
-  }
-  for (int k = 0; k < N; ++k) {
-    result.diagonal[static_cast<std::size_t>(k)] = G(k, k);
-    if (k + 1 < N) result.beside[static_cast<std::size_t>(k)] = G(k + 1, k);
-  }
+  [&]<int... k>(std::integer_sequence<int, k...>) { (reflect<N, k>(G, result), ...); }
+  (std::make_integer_sequence<int, N - 2>());
+  for (std::size_t k = 0; k < N; ++k) result.diagonal[k] = G(Eigen::Index(k), Eigen::Index(k));
+  result.beside[N - 2] = G(N - 1, N - 2);
   return result;
 }
 
@@ -78,10 +96,12 @@ Value characteristic(const Tridiagonal<N>& T, double x) {
   return here;
 }
 
-/// From 0, which is not above it.
+/// From 0, which is not above it. A last step that is a small share of it leaves less than that
+/// share's cube.
 template <int N>
 double smallest_eigenvalue(const Tridiagonal<N>& T) {
   constexpr int kSteps = 12;
+  constexpr double kLastStep = 1e-5;
   double x = 0;
   for (int k = 0; k < kSteps; ++k) {
     const Value at = characteristic(T, x);
@@ -89,8 +109,9 @@ double smallest_eigenvalue(const Tridiagonal<N>& T) {
     const double G = at.slope / at.p, H = G * G - at.bend / at.p;
     const double root = std::sqrt(std::max(0.0, (N - 1) * (N * H - G * G)));
     const double step = N / (root - G);
-    if (!(step > 1e-14 * x)) break;
+    if (!(step > 0)) break;
     x += step;
+    if (step <= kLastStep * x) break;
   }
   return x;
 }
@@ -102,26 +123,25 @@ std::optional<Column<N>> eigenvector(const Tridiagonal<N>& T, double value, doub
   constexpr double kSettled = 1e-10;
   // Below the eigenvalue all pivots are positive.
   const double shift = value - 1e-13 * largest;
-  std::array<double, N> pivot{}, factor{};
+  std::array<double, N> share{}, factor{};  // 1 / pivot
   for (std::size_t k = 0; k < N; ++k) {
-    pivot[k] = T.diagonal[k] - shift - (k > 0 ? factor[k - 1] * T.beside[k - 1] : 0);
-    if (!(pivot[k] > 0)) return std::nullopt;
-    factor[k] = T.beside[k] / pivot[k];
+    const double pivot = T.diagonal[k] - shift - (k > 0 ? factor[k - 1] * T.beside[k - 1] : 0);
+    if (!(pivot > 0)) return std::nullopt;
+    share[k] = 1 / pivot;
+    factor[k] = T.beside[k] * share[k];
   }
   Column<N> t;
   for (int k = 0; k < N; ++k) t[k] = 1 + 0.3 * k * (k % 2 == 0 ? 1 : -1);
-  double turned = 1;
+  t.normalize();
   for (int step = 0; step < kSteps; ++step) {
-    const Column<N> before = t.normalized();
-    t = before;
+    const Column<N> before = t;
     for (int k = 1; k < N; ++k) t[k] -= factor[static_cast<std::size_t>(k - 1)] * t[k - 1];
-    for (int k = 0; k < N; ++k) t[k] /= pivot[static_cast<std::size_t>(k)];
+    for (int k = 0; k < N; ++k) t[k] *= share[static_cast<std::size_t>(k)];
     for (int k = N - 2; k >= 0; --k) t[k] -= factor[static_cast<std::size_t>(k)] * t[k + 1];
-    t.normalize();
-    turned = (t - before).squaredNorm();
+    t *= 1 / t.norm();
+    if ((t - before).squaredNorm() < kSettled * kSettled) return t;
   }
-  if (!(turned < kSettled * kSettled)) return std::nullopt;
-  return t;
+  return std::nullopt;
 }
 
 template <int N>
@@ -137,7 +157,7 @@ std::optional<LeastMotion> by_gram(const Screws<double>& screws) {
   Column<N> v = *in_T;
   for (int k = N - 3; k >= 0; --k) {
     const Column<N>& u = T.u[static_cast<std::size_t>(k)];
-    v -= u.dot(v) * u;
+    v -= (T.share[static_cast<std::size_t>(k)] * u.dot(v)) * u;
   }
   LeastMotion least;
   const Velocity6<double> moved = A * v;

@@ -179,26 +179,27 @@ OutcomeKind kind_of(const ArmResult& result) {
 }
 
 /// A result is told by its place: those behind a job that was cut short wait in the ledger.
-std::vector<ArmResult> before_first_gap(std::vector<std::optional<ArmResult>>&& results) {
-  std::vector<ArmResult> first;
+void take_before_first_gap(std::vector<std::optional<ArmResult>>&& results,
+                           const std::function<void(ArmResult&& result)>& take) {
   for (std::optional<ArmResult>& result : results) {
     if (!result) break;
-    first.push_back(std::move(*result));
+    take(std::move(*result));
   }
-  return first;
 }
 
 }  // namespace
 
-std::vector<ArmResult> observe_results(const ResultJobs& jobs, const Tracker& tracker,
-                                       const SolveOptions& options, const std::atomic<bool>& stop) {
+void observe_results(const ResultJobs& jobs, const Tracker& tracker, const SolveOptions& options,
+                     const std::atomic<bool>& stop,
+                     const std::function<void(ArmResult&& result)>& take) {
   if (options.observations == nullptr) {
     std::vector<std::size_t> all(jobs.count);
     std::iota(all.begin(), all.end(), std::size_t{0});
-    return before_first_gap(jobs.solve(all));
+    take_before_first_gap(jobs.solve(all), take);
+    return;
   }
   std::vector<std::optional<ArmResult>> results(jobs.count);
-  const auto take = [&](std::size_t job, std::string_view outcome) {
+  const auto read = [&](std::size_t job, std::string_view outcome) {
     ArmResult& result = results[job].emplace(arm_result_of(outcome));
     result.pose = jobs.pose(job);
     result.seed = options.seed;
@@ -218,9 +219,9 @@ std::vector<ArmResult> observe_results(const ResultJobs& jobs, const Tracker& tr
     }
     return outcomes;
   };
-  do_jobs({jobs.list, jobs.count, jobs.together, jobs.together, take, solve}, *options.observations,
+  do_jobs({jobs.list, jobs.count, jobs.together, jobs.together, read, solve}, *options.observations,
           stop);
-  return before_first_gap(std::move(results));
+  take_before_first_gap(std::move(results), take);
 }
 
 void add_to(FingerprintMaker& maker, const Arm& arm) {

@@ -20,7 +20,7 @@ namespace moivre {
 
 /// Arms at poses, each of which is a job.
 struct ResultJobs {
-  Fingerprint list;
+  Fingerprint list;  ///< with observations
   std::size_t count = 0;
   std::size_t together = 1;  ///< so many are drawn, and solved, at a time
   std::function<const Eigen::Isometry3d&(std::size_t job)> pose;
@@ -29,10 +29,11 @@ struct ResultJobs {
   std::function<void()> tell;  ///< another one is there, that was not solved here and now
 };
 
-/// The results in the order of the jobs, with `options.observations` where there are any. A set
-/// `stop` ends them before the first job that it cut short, which is not kept.
-std::vector<ArmResult> observe_results(const ResultJobs& jobs, const Tracker& tracker,
-                                       const SolveOptions& options, const std::atomic<bool>& stop);
+/// Hands on the results in the order of the jobs, with `options.observations` where there are any.
+/// A set `stop` ends them before the first job that it cut short, which is not kept.
+void observe_results(const ResultJobs& jobs, const Tracker& tracker, const SolveOptions& options,
+                     const std::atomic<bool>& stop,
+                     const std::function<void(ArmResult&& result)>& take);
 
 /// What results depend on.
 void add_to(FingerprintMaker& maker, const Arm& arm);

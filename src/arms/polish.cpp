@@ -8,6 +8,7 @@
 
 #include "least_motion.h"
 #include "moivre/factorization/svd.h"
+#include "moivre/numeric/fused.h"
 #include "six_equations.h"
 
 namespace moivre {
@@ -84,21 +85,45 @@ bool contracts(const Linearized& at, const JointVector<double>& step, double dam
          step_of({error_there, at.screws}, damping).norm() < kContraction * step.norm();
 }
 
+/// a b^T: small enough to be written out.
+Eigen::Matrix3d product_with_inverse(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  Eigen::Matrix3d result;
+  for (Eigen::Index k = 0; k < 3; ++k) {
+    result.col(k) = a.col(0) * b(k, 0) + a.col(1) * b(k, 1) + a.col(2) * b(k, 2);
+  }
+  return result;
+}
+
+/// Axis times angle.
+Eigen::Vector3d rotation_vector(const Eigen::Matrix3d& R) {
+  constexpr double kSmall = 1e-3;
+  const Eigen::Vector3d along(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+  const double cosine = (R.trace() - 1) / 2;
+  const double square = along.squaredNorm() / 4;  // of the sine
+  if (cosine > 0 && square < kSmall * kSmall) {
+    // arcsin(s) / s = 1 + s^2 / 6 + 3 s^4 / 40 + ...
+    return (0.5 + square * (1.0 / 12 + square * 3 / 80)) * along;
+  }
+  if (cosine > 0) {
+    const double sine = std::sqrt(square);
+    return std::atan2(sine, cosine) / (2 * sine) * along;
+  }
+  const Eigen::Quaterniond turn(R);
+  const double sine = turn.vec().norm();
+  return std::copysign(2 * std::atan2(sine, std::abs(turn.w())) / sine, turn.w()) * turn.vec();
+}
+
 }  // namespace
 
 Linearized linearized(const Arm& arm, const Eigen::Isometry3d& pose,
                       const JointVector<double>& values) {
-  constexpr double kSmall = 1e-5;
   const TipMotion<double> motion = tip_motion<double>(arm, values);
   Linearized at;
   at.screws = motion.screws;
-  const Eigen::Quaterniond turn(Eigen::Matrix3d(pose.linear() * motion.tip.R.transpose()));
-  const double sign = turn.w() < 0 ? -1 : 1;
-  const double sine = turn.vec().norm();
-  // 2 arcsin(s) / s = 2 + s^2 / 3 + ...
-  const double factor =
-      sine < kSmall ? 2 + sine * sine / 3 : 2 * std::atan2(sine, std::abs(turn.w())) / sine;
-  at.error << (pose.translation() - motion.tip.p) / arm.length, sign * factor * turn.vec();
+  fused([&] {
+    const Eigen::Matrix3d turn = product_with_inverse(pose.linear(), motion.tip.R);
+    at.error << (pose.translation() - motion.tip.p) * (1 / arm.length), rotation_vector(turn);
+  });
   return at;
 }
 

@@ -26,6 +26,8 @@ constexpr double kOnSet = 1e-4;
 /// A set that reaches farther than this, radians, is looked for where the accuracy may move a joint
 /// so far.
 constexpr double kReachesFar = 0.05;
+/// Joints that reach every pose.
+constexpr std::size_t kFullArm = 6;
 /// Closures and sets from which further ones are looked for.
 constexpr std::size_t kMostFollowed = 64;
 
@@ -388,8 +390,7 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
   PostureEntry entry;
   // Six joints can be put right to rounding: what is not is a place of a set that the accuracy or
   // the digits leave open.
-  constexpr std::size_t kSix = 6;
-  const bool has_six = list.arm.joints.size() >= kSix;
+  const bool has_six = list.arm.joints.size() >= kFullArm;
   if (!(polished.residual <= (has_six ? kRounding : by_digits(list)))) {
     const bool is_place = polished.residual <= list.accuracy && list.follows_digits;
     if (is_place) list.places.push_back(polished.values);
@@ -442,6 +443,9 @@ void follow_branches(PostureList& list) {
       const Screws<double> screws = linearized(list.arm, list.pose, values).screws;
       for (const double fine : kFiner) {
         const double accuracy = fine * widest;
+        const bool is_stiff = list.arm.joints.size() <= kFullArm &&
+                              list.closures[k].smallest_singular_value > accuracy / kReachesFar;
+        if (is_stiff) continue;
         const int weak = weak_directions(screws, accuracy);
         if (weak <= dimension_told(list, values, accuracy)) continue;
         for (TracedSet& set : sets_through(list, values, weak, accuracy)) {

@@ -197,6 +197,7 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
     }
   }
   if (own.empty()) return false;  // the nearest posture is told
+  list.closures.reserve(own.size());
   for (const Polished* const real : own) {
     const PostureEntry entry =
         has_all_joints ? enter(list, *real) : enter(list, own_values(six, real->values), false);

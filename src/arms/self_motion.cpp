@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "least_motion.h"
 #include "moivre/factorization/svd.h"
@@ -94,12 +95,14 @@ Around around(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& pla
     // restraint would come back to it;
     // where sets of closures meet, the restraint may leave no place.
     VectorXd landed = settled(arm, pose, there, direction, accuracy).values;
-    if (!(size_of(linearized(arm, pose, landed).error) <= accuracy)) {
+    double missed = size_of(linearized(arm, pose, landed).error);
+    if (!(missed <= accuracy)) {
       landed = polish(arm, pose, there).values;
+      missed = size_of(linearized(arm, pose, landed).error);
     }
     const VectorXd gone = in_arms_lengths(arm, landed - place.values);
     const bool is_near = gone.norm() > probe / 10 && gone.norm() < 3 * probe;
-    if (!is_near || !(size_of(linearized(arm, pose, landed).error) <= accuracy)) continue;
+    if (!is_near || !(missed <= accuracy)) continue;
     if (!leads_to(arm, pose, place, gone, accuracy)) continue;
     differences.push_back(gone);
     result.further = landed;
@@ -116,6 +119,8 @@ struct Way {
 
 /// From `from` on along `direction`, to the end of the set or back to its beginning. Where it has
 /// gone far, steps are longer than `longest`: a small loop would have come back.
+/// Beyond a place that misses the pose only the longest step is tried: the set may be open there
+/// again. Shorter ones look for its end on this side.
 Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, VectorXd direction,
            int most, double accuracy, double longest) {
   constexpr int kHalvings = 4;
@@ -123,23 +128,32 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
   constexpr double kStraight = 0.995;
   constexpr double kSameWay = 0.5;
   constexpr double kOfTheWay = 0.1;
+  constexpr double kClearlyBefore = 0.9;
   Way way;
   SetPlace here = from;
   VectorXd first;
   double farthest = 0;
+  double to_miss = std::numeric_limits<double>::infinity();  // the nearest one ahead
   for (int k = 0; k < most; ++k) {
     std::optional<SetPlace> next;
     longest = std::max(longest, std::min(kStep, kOfTheWay * farthest));
     double step = longest;
     VectorXd gone;
     for (int h = 0; h <= kHalvings; ++h, step /= 2) {
+      if (h > 0 && step > kClearlyBefore * to_miss) continue;
       next = moved(arm, pose, here, direction, step, accuracy);
-      if (!next) continue;
+      if (!next) {
+        to_miss = std::min(to_miss, step);
+        continue;
+      }
+      if (step > to_miss) to_miss = std::numeric_limits<double>::infinity();
       gone = in_arms_lengths(arm, next->values - here.values).normalized();
       if (gone.dot(direction) > kStraight) break;
     }
     if (!next) return way;
     direction = gone;
+    const double went = apart(arm, here.values, next->values);
+    to_miss = went < to_miss ? to_miss - went : std::numeric_limits<double>::infinity();
     here = std::move(*next);
     way.places.push_back(here);
     // A narrow loop passes its beginning in the other direction.

@@ -57,21 +57,26 @@ constexpr int kInverseSteps = 6;
 // By the normal equations: the step is short, or no direction, or one alone, moves the tip so
 // little that what is within the accuracy is far. What is kept has the projection frozen frozen^T.
 
-std::optional<JointVector<double>> step_across_six(const Linearized& at, const Frozen& frozen,
-                                                   double accuracy) {
-  Matrix6d free = at.screws;
+/// Nothing where they do not tell.
+std::optional<Velocity6<double>> step_across_six(const Linearized& at, const Frozen& frozen,
+                                                 double accuracy) {
+  const Matrix6d screws = at.screws;
+  Matrix6d free = screws;
   Matrix6d kept = Matrix6d::Zero();
   for (Eigen::Index k = 0; k < frozen.cols(); ++k) {
     const Velocity6<double> way = frozen.col(k);
-    const Velocity6<double> moved = at.screws * way;
-    free -= moved * way.transpose();
-    kept += way * way.transpose();
+    const Velocity6<double> moved = free * way;  // columns are orthogonal
+    for (Eigen::Index i = 0; i < 6; ++i) {
+      free.col(i) -= way[i] * moved;
+      kept.col(i) += way[i] * way;
+    }
   }
   const double size = free.squaredNorm();
   const Matrix6d gram = gram_of(free) + size * kept;
   const SixFactors factors = factors_of(gram);
   if (!(factors.least > kIndependent * size)) return std::nullopt;
-  const Velocity6<double> step = solution_of(factors, free.transpose() * at.error);
+  const Velocity6<double> along = free.transpose() * at.error;
+  const Velocity6<double> step = solution_of(factors, along);
   if (step.norm() <= kLongWay) return step;
   // One direction may be weak, by inverse iteration: the others are not, if no pivot is negative
   // without it and less by the bound's square.
@@ -90,7 +95,10 @@ std::optional<JointVector<double>> step_across_six(const Linearized& at, const F
 
 std::optional<JointVector<double>> step_across(const Linearized& at, const Frozen& frozen,
                                                double accuracy) {
-  if (at.screws.cols() == 6) return step_across_six(at, frozen, accuracy);
+  if (at.screws.cols() == 6) {
+    const auto step = step_across_six(at, frozen, accuracy);
+    return step ? std::optional<JointVector<double>>(*step) : std::nullopt;
+  }
   const Square kept = frozen * frozen.transpose();
   const Screws<double> free = at.screws - at.screws * kept;
   const double size = free.squaredNorm();

@@ -8,48 +8,12 @@
 #include <type_traits>
 #include <utility>
 
+#include "moivre/numeric/fused.h"
+
 namespace moivre {
 namespace {
 
 constexpr std::size_t kSize = 6;
-using Row = std::array<double, kSize + 1>;
-using Rows = std::array<Row, kSize>;
-
-Rows rows_of(const Matrix6d& A, const Velocity6<double>& b) {
-  Rows rows;
-  for (std::size_t i = 0; i < kSize; ++i) {
-    for (std::size_t k = 0; k < kSize; ++k) rows[i][k] = A.data()[kSize * k + i];
-    rows[i][kSize] = b.data()[i];
-  }
-  return rows;
-}
-
-/// Whether the pivot is not 0; then the rows below have 0 under it.
-bool eliminate(Rows& rows, std::size_t k, SixSolved& solved) {
-  const double size = std::abs(rows[k][k]);
-  solved.least = k == 0 ? size : std::min(solved.least, size);
-  solved.largest = std::max(solved.largest, size);
-  if (!(size > 0)) {
-    solved.least = 0;
-    return false;
-  }
-  const double share = 1 / rows[k][k];
-  for (std::size_t i = k + 1; i < kSize; ++i) {
-    const double factor = rows[i][k] * share;
-    for (std::size_t j = k + 1; j <= kSize; ++j) rows[i][j] -= factor * rows[k][j];
-  }
-  return true;
-}
-
-std::array<double, kSize> back_substituted(const Rows& rows) {
-  std::array<double, kSize> x;
-  for (std::size_t k = kSize; k-- > 0;) {
-    double rest = rows[k][kSize];
-    for (std::size_t j = k + 1; j < kSize; ++j) rest -= rows[k][j] * x[j];
-    x[k] = rest / rows[k][k];
-  }
-  return x;
-}
 
 template <std::size_t k>
 using Number = std::integral_constant<std::size_t, k>;
@@ -61,6 +25,36 @@ void for_each_of_six(const F& take) {
   (std::make_index_sequence<kSize>());
 }
 
+/// With the right side behind, and a 0.
+using Row = std::array<double, kSize + 2>;
+using Rows = std::array<Row, kSize>;
+
+/// Whether the largest pivot below is not 0; then the rows below it have 0 under it.
+template <std::size_t k>
+bool eliminate(Rows& rows, SixSolved& solved) {
+  std::size_t pivot = k;
+  double size = std::abs(rows[k][k]);
+  for (std::size_t i = k + 1; i < kSize; ++i) {
+    const double other = std::abs(rows[i][k]);
+    if (other > size) size = other, pivot = i;
+  }
+  if (pivot != k) std::swap(rows[pivot], rows[k]);
+  solved.least = k == 0 ? size : std::min(solved.least, size);
+  solved.largest = std::max(solved.largest, size);
+  if (!(size > 0)) {
+    solved.least = 0;
+    return false;
+  }
+  const double share = 1 / rows[k][k];
+  constexpr std::size_t kBegin = (k + 1) / 2 * 2;  // processors take two at once
+  for (std::size_t i = k + 1; i < kSize; ++i) {
+    const double factor = rows[i][k] * share;
+    for (std::size_t j = kBegin; j < kSize + 2; ++j) rows[i][j] -= factor * rows[k][j];
+  }
+  rows[k][k] = share;
+  return true;
+}
+
 /// Of symmetric rows the lower half.
 template <std::size_t k>
 void eliminate_below(SixFactors& factors) {
@@ -69,7 +63,7 @@ void eliminate_below(SixFactors& factors) {
   factors.least = k == 0 ? pivot : std::min(factors.least, pivot);
   factors.largest = std::max(factors.largest, pivot);
   factors.share[k] = 1 / pivot;
-  std::array<double, kSize> below;
+  std::array<double, kSize> below{};
   for (std::size_t i = k + 1; i < kSize; ++i) {
     below[i] = L[kSize * k + i];
     L[kSize * k + i] *= factors.share[k];
@@ -104,18 +98,25 @@ Velocity6<double> solution_of(const SixFactors& factors, const Velocity6<double>
 }
 
 SixSolved solve_six(const Matrix6d& A, const Velocity6<double>& b) {
-  Rows rows = rows_of(A, b);
   SixSolved solved;
-  for (std::size_t k = 0; k < kSize; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < kSize; ++i) {
-      if (std::abs(rows[i][k]) > std::abs(rows[pivot][k])) pivot = i;
+  fused([&] {
+    Rows rows;
+    for (std::size_t i = 0; i < kSize; ++i) {
+      for (std::size_t k = 0; k < kSize; ++k) rows[i][k] = A.data()[kSize * k + i];
+      rows[i][kSize] = b.data()[i];
+      rows[i][kSize + 1] = 0;
     }
-    if (pivot != k) std::swap(rows[pivot], rows[k]);
-    if (!eliminate(rows, k, solved)) return solved;
-  }
-  const auto x = back_substituted(rows);
-  solved.x = Eigen::Map<const Velocity6<double>>(x.data());
+    bool goes_on = true;
+    for_each_of_six(
+        [&]<std::size_t k>(Number<k>) { goes_on = goes_on && eliminate<k>(rows, solved); });
+    if (!goes_on) return;
+    for_each_of_six([&]<std::size_t k>(Number<k>) {
+      constexpr std::size_t kRow = kSize - 1 - k;
+      double rest = rows[kRow][kSize];
+      for (std::size_t j = kRow + 1; j < kSize; ++j) rest -= rows[kRow][j] * solved.x.data()[j];
+      solved.x.data()[kRow] = rest * rows[kRow][kRow];
+    });
+  });
   return solved;
 }
 

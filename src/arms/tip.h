@@ -39,17 +39,20 @@ struct TipMotion {
   Screws<S> screws;
 };
 
-/// Rotation by `angle` about the unit axis [Rodrigues].
+/// Rotation about the unit axis by an angle of this cosine and sine [Rodrigues].
 template <class S>
-Eigen::Matrix<S, 3, 3> turn_about(const Eigen::Vector3d& a, const S& angle) {
-  const S s = std::sin(angle);
-  const S c = std::cos(angle);
+Eigen::Matrix<S, 3, 3> turn_by(const Eigen::Vector3d& a, const S& c, const S& s) {
   const S v = S(1) - c;
   Eigen::Matrix<S, 3, 3> R;
   R << a.x() * a.x() * v + c, a.x() * a.y() * v - a.z() * s, a.x() * a.z() * v + a.y() * s,
       a.y() * a.x() * v + a.z() * s, a.y() * a.y() * v + c, a.y() * a.z() * v - a.x() * s,
       a.z() * a.x() * v - a.y() * s, a.z() * a.y() * v + a.x() * s, a.z() * a.z() * v + c;
   return R;
+}
+
+template <class S>
+Eigen::Matrix<S, 3, 3> turn_about(const Eigen::Vector3d& axis, const S& angle) {
+  return turn_by<S>(axis, std::cos(angle), std::sin(angle));
 }
 
 /// a b, b real or not: small enough to be written out.
