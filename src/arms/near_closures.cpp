@@ -14,15 +14,17 @@ namespace {
 struct Miss {
   double s = 0;  ///< of the place, between two others
   Eigen::VectorXd values;
-  Eigen::VectorXd least;  ///< unit, on the side of the last one's
+  Velocity6<double> least;  ///< unit, on the side of the last one's
   double size = 0;
 };
 
-Miss miss_at(const SetPlace& place, const Eigen::VectorXd& least_before, double s = 0) {
-  Miss miss{s, place.values, least_moved(place), 0};
-  if (least_before.size() > 0 && miss.least.dot(least_before) < 0) miss.least = -miss.least;
-  miss.size = miss.least.dot(place.at.error);
-  return miss;
+Miss miss_along(const SetPlace& place, const Velocity6<double>& least, double s = 0) {
+  return {s, place.values, least, least.dot(place.at.error)};
+}
+
+Miss miss_at(const SetPlace& place, const Velocity6<double>& least_before, double s = 0) {
+  const Velocity6<double> least = least_moved(place, least_before);
+  return miss_along(place, least.dot(least_before) < 0 ? Velocity6<double>(-least) : least, s);
 }
 
 /// Where the parabola through three misses is 0, or else nearest to 0.
@@ -85,8 +87,10 @@ std::vector<Eigen::VectorXd> near_closures(const Arm& arm, const Eigen::Isometry
                                            const std::vector<SetPlace>& places, double accuracy) {
   std::vector<Eigen::VectorXd> closures;
   std::vector<Miss> miss;
+  miss.reserve(places.size());
   for (const SetPlace& place : places) {
-    miss.push_back(miss_at(place, miss.empty() ? Eigen::VectorXd() : miss.back().least));
+    miss.push_back(miss.empty() ? miss_along(place, least_moved(place))
+                                : miss_at(place, miss.back().least));
   }
   miss = told_apart(miss);
   const auto size = [&](std::size_t k) { return std::abs(miss[k].size); };

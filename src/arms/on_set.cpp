@@ -94,8 +94,8 @@ bool is_on(const Arm& arm, const SelfMotion& motion, const Eigen::VectorXd& valu
   if (motion.dimension > 1) return is_on_surface(arm, motion, values, within);
   for (std::size_t k = motion.closes ? 0 : 1; k < motion.samples.size(); ++k) {
     const Eigen::VectorXd& a = k > 0 ? motion.samples[k - 1] : motion.samples.back();
-    const Eigen::VectorXd side = way_between(arm, a, motion.samples[k]),
-                          to = way_between(arm, a, values);
+    const JointVector<double> side = way_between(arm, a, motion.samples[k]),
+                              to = way_between(arm, a, values);
     const double along = std::clamp(to.dot(side) / std::max(side.squaredNorm(), 1e-300), 0.0, 1.0);
     // Between samples a curve leaves its chord by a little.
     if ((to - along * side).norm() < std::max(within, kBowOfChord * side.norm())) return true;

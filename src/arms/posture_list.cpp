@@ -3,6 +3,7 @@
 #include "posture_list.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -39,10 +40,18 @@ double by_digits(const PostureList& list) { return list.accuracy + list.arm.roun
 
 /// What the pose's digits leave open, and then the file's, too: nothing but rounding where all
 /// digits are typed.
-std::vector<double> left_open(const PostureList& list) {
-  std::vector<double> accuracies;
-  if (list.accuracy > kReach) accuracies.push_back(list.accuracy);
-  if (list.arm.rounding > 0) accuracies.push_back(by_digits(list));
+struct Accuracies {
+  std::array<double, 2> all{};
+  std::size_t count = 0;
+
+  const double* begin() const { return all.data(); }
+  const double* end() const { return all.data() + count; }
+};
+Accuracies left_open(const PostureList& list) {
+  Accuracies accuracies;
+  const auto add = [&](double accuracy) { accuracies.all[accuracies.count++] = accuracy; };
+  if (list.accuracy > kReach) add(list.accuracy);
+  if (list.arm.rounding > 0) add(by_digits(list));
   return accuracies;
 }
 
@@ -218,10 +227,10 @@ std::optional<TracedSet> trace_exactly(const PostureList& list, const Eigen::Vec
 /// Adds the set through the posture, its number where it is one of the pose and the file as typed.
 std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure) {
   const double sigma = closure.smallest_singular_value;
-  const std::vector<double> accuracies = left_open(list);
+  const Accuracies accuracies = left_open(list);
   if (sigma <= kStandsAlone && !set_of(list, closure.values, has_an_exact_part)) {
     if (auto traced = trace_exactly(list, closure.values)) {
-      const bool is_within_digits = !accuracies.empty() && has_ends(traced->motion);
+      const bool is_within_digits = accuracies.count > 0 && has_ends(traced->motion);
       return add(list, std::move(*traced), is_within_digits);
     }
   }

@@ -188,6 +188,7 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
     if (pair.imaginary * pair.stiffness <= clear) return false;
   }
   std::vector<const Polished*> own;
+  own.reserve(found.real.size());
   for (const Polished& real : found.real) {
     const double added = has_all_joints ? 0 : added_at(real.values);
     if (added <= kMargin * accuracy) {

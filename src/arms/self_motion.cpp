@@ -68,21 +68,49 @@ MatrixXd still_directions(const Svd& stretch) {
   return stretch.V.rightCols(still);
 }
 
+struct Still {
+  MatrixXd directions;
+  VectorXd sigma;  ///< of one direction alone the last two
+};
+
+/// Of six joints one direction, or none, is told without the others.
+std::optional<Still> one_still(const Screws<double>& screws) {
+  constexpr Index kJoints = 6;
+  if (screws.cols() != kJoints) return std::nullopt;
+  // The largest singular value, but for a factor.
+  const double most = screws.norm(), least = most / std::sqrt(double(kJoints));
+  if (still_count(screws, kMayStand * most) > 1) return std::nullopt;
+  const LeastMotion motion = least_motion(screws);
+  const bool is_still = motion.singular_value <= kMayStand * least;
+  if (!is_still && motion.singular_value <= kMayStand * most) return std::nullopt;
+  Still still{MatrixXd(kJoints, 0), VectorXd::Zero(kJoints)};
+  if (!is_still) return still;
+  const Screws<double> others = screws + most * motion.tip * motion.joints.transpose();
+  still.directions = motion.joints;
+  still.sigma.tail(2) << least_motion(others).singular_value, motion.singular_value;
+  return still;
+}
+
+Still still_at(const SetPlace& place) {
+  if (auto one = one_still(place.at.screws)) return std::move(*one);
+  const Svd stretch = stretch_of(place);
+  return {still_directions(stretch), stretch.sigma};
+}
+
 /// Directions in which the set goes on from here (orthonormal), and a place further on: random
 /// steps along what moves the tip least, put right without restraint, come back to the set.
 struct Around {
   MatrixXd directions;
   std::optional<VectorXd> further;
-  VectorXd sigma;  ///< singular values, here
+  VectorXd sigma;  ///< singular values, here, as Still has them
 };
 Around around(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& place, double accuracy,
               std::uint64_t seed, std::uint64_t stream, double probe) {
   constexpr std::uint64_t kSteps = 8;
-  const Svd stretch = stretch_of(place);
-  const MatrixXd least = still_directions(stretch);
+  const auto [least, sigma] = still_at(place);
   const Index still = least.cols();
   Around result;
-  result.sigma = stretch.sigma;
+  result.sigma = sigma;
   if (still == 0) return result;
   std::vector<VectorXd> differences;
   const std::uint64_t steps = still == 1 ? 2 : kSteps;  // a single direction has two sides
@@ -197,7 +225,13 @@ JointPlane plane_of(const Arm& arm, const std::vector<VectorXd>& samples, int di
   for (Index k = 0; k < m; ++k) {
     of_moving.col(k) = spread.col(moving[static_cast<std::size_t>(k)]);
   }
-  const Svd stretch = svd(of_moving.transpose() * of_moving, SingularVectors::full);
+  const MatrixXd gram = of_moving.transpose() * of_moving;
+  // Of a line the sum of squares of the values is the square of their sum, but for this.
+  const double sum = gram.trace();
+  const double beside = sum * sum - gram.squaredNorm();
+  const double flat = 2 * static_cast<double>(m) * kFlat * kFlat;
+  if (dimension == 1 && beside > 2 * flat * sum * sum) return {};
+  const Svd stretch = svd(gram, SingularVectors::full);
   for (Index k = dimension; k < m; ++k) {
     if (stretch.sigma[k] > kFlat * kFlat * stretch.sigma[0]) return {};
   }

@@ -42,6 +42,29 @@ Svd stretch_of(const SetPlace& place) {
 
 Velocity6<double> least_moved(const SetPlace& place) { return least_motion(place.at.screws).tip; }
 
+// By inverse iteration, where the next direction is as clear as that of a set.
+Velocity6<double> least_moved(const SetPlace& place, const Velocity6<double>& nearby) {
+  constexpr int kSteps = 4;
+  constexpr double kClear = 1e-10, kTurnsBy = 1e-3, kSettled = 1e-10;
+  if (place.at.screws.cols() != 6) return least_moved(place);
+  const Matrix6d backwards = place.at.screws.transpose();
+  const Matrix6d gram = gram_of(backwards);
+  const SixFactors factors = factors_of(gram);
+  if (!(factors.least > kClear * gram.trace())) return least_moved(place);
+  Velocity6<double> least = nearby;
+  double turned = 1;
+  for (int k = 0; k < kSteps; ++k) {
+    const Velocity6<double> next = solution_of(factors, least).normalized();
+    const double turns = (next - least).norm();
+    least = next;
+    // What was left turns by a share of what it was: it is of the others, if that is small.
+    if (k > 0 && turns > kTurnsBy * turned + kSettled) break;
+    if (turns <= kSettled) return least;
+    turned = turns;
+  }
+  return least_moved(place);
+}
+
 namespace {
 
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostJoints, kMostJoints>;
@@ -160,9 +183,7 @@ std::optional<SetPlace> moved(const Arm& arm, const Eigen::Isometry3d& pose, con
   const Eigen::VectorXd there = from.values + in_joints<double>(arm, step * direction);
   SetPlace place = settled(arm, pose, there, direction, accuracy);
   if (!(place.residual <= accuracy)) return std::nullopt;
-  const Eigen::VectorXd gone = place.values - from.values;
-  const Eigen::VectorXd meant = there - from.values;
-  if ((gone - meant).cwiseAbs().maxCoeff() > std::abs(step)) return std::nullopt;
+  if ((place.values - there).cwiseAbs().maxCoeff() > std::abs(step)) return std::nullopt;
   return place;
 }
 

@@ -41,6 +41,8 @@ struct SetPlace {
 Svd stretch_of(const SetPlace& place);
 /// Unit: where the tip can move least.
 Velocity6<double> least_moved(const SetPlace& place);
+/// The same from that of a place nearby.
+Velocity6<double> least_moved(const SetPlace& place, const Velocity6<double>& nearby);
 
 SetPlace place_at(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& values);
 

@@ -158,9 +158,9 @@ inline double joint_way(const Arm& arm, const Eigen::VectorXd& a, const Eigen::V
 }
 
 /// Of all joints.
-inline Eigen::VectorXd way_between(const Arm& arm, const Eigen::VectorXd& a,
-                                   const Eigen::VectorXd& b) {
-  Eigen::VectorXd way(a.size());
+inline JointVector<double> way_between(const Arm& arm, const Eigen::VectorXd& a,
+                                       const Eigen::VectorXd& b) {
+  JointVector<double> way(a.size());
   for (Eigen::Index k = 0; k < way.size(); ++k) way[k] = joint_way(arm, a, b, k);
   return way;
 }
