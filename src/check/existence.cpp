@@ -2,10 +2,15 @@
 // Is there a regular root, and as near as is stated? Certificates, and exact Taylor sums where
 // there is none. A claim is false where that is proved.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "bench.h"
 #include "moivre/numeric/random.h"
+#include "moivre/numeric/threads.h"
 #include "moivre/polynomial/exclusion.h"
 
 namespace moivre {
@@ -112,14 +117,16 @@ void judge_farther(Bench& bench, Entry& entry, const RootClaim& root, std::size_
   entry.is_refuted = claim == ClaimKind::root;
 }
 
-void judge_regular(Bench& bench, Entry& entry, const RootClaim& root, std::size_t number) {
+/// at_point: what is proved of a root near x.
+void judge_regular(Bench& bench, Entry& entry, const RootClaim& root, std::size_t number,
+                   Certificate&& at_point) {
   Verdicts& verdicts = bench.verdicts;
   // Of roots that double does not tell apart digits say which one is claimed.
   entry.certificate = certificate_at_digits(bench, root);
   const bool is_claimed =
       entry.certificate.holds_root() &&
       sharp_distance(bench.certifier, entry.certificate, entry.x, entry.reach).most <= entry.reach;
-  if (!is_claimed) entry.certificate = bench.certifier.certify(entry.x);
+  if (!is_claimed) entry.certificate = std::move(at_point);
   if (!entry.certificate.holds_root()) {
     // Between two roots that double does not tell apart J is singular.
     entry.certificate = certificate_beside(bench, entry, [](const Certificate&) { return true; });
@@ -135,6 +142,32 @@ void judge_regular(Bench& bench, Entry& entry, const RootClaim& root, std::size_
     return verdicts.refute(ClaimKind::root, "no root lies within " + rough(entry.reach), number);
   }
   verdicts.leave_open(ClaimKind::root, no_certificate(), number);
+}
+
+bool is_judged_regular(const Entry& entry) { return entry.is_regular && is_finite(entry.x); }
+
+/// What is proved of a root near each of the next points, by all threads.
+std::vector<Certificate> certificates_at(const Bench& bench, std::span<const Entry> entries) {
+  constexpr std::size_t kOfAThread = 32;
+  std::vector<Certificate> certificates(entries.size());
+  const auto most = static_cast<std::size_t>(thread_count(0));
+  const std::size_t threads = std::min(most, 1 + entries.size() / kOfAThread);
+  std::atomic<std::size_t> next = 0;
+  on_threads(static_cast<int>(threads), [&] {
+    Certifier certifier(bench.program);
+    for (std::size_t k = next++; k < entries.size() && !bench.stop; k = next++) {
+      if (is_judged_regular(entries[k])) certifier.certify(entries[k].x, certificates[k]);
+    }
+  });
+  return certificates;
+}
+
+Entry entry_of(const Bench& bench, const RootClaim& root) {
+  Entry entry;
+  entry.x = on_patches(bench.stand_in, root.x);
+  entry.reach = reach_of(bench, root, entry.x);
+  entry.is_regular = bench.is_list() || (!root.singular.value_or(false) && root.multiplicity == 1);
+  return entry;
 }
 
 void judge_certified(Bench& bench, const Entry& entry, const RootClaim& root, std::size_t number) {
@@ -204,14 +237,19 @@ DistanceBounds sharp_distance(Certifier& certifier, Certificate& certificate, co
 }
 
 void judge_existence(Bench& bench) {
-  for (std::size_t k = 0; k < bench.claims.roots.size(); ++k) {
+  constexpr std::size_t kTogether = 4096;
+  const std::vector<RootClaim>& roots = bench.claims.roots;
+  for (const RootClaim& root : roots) bench.entries.push_back(entry_of(bench, root));
+  std::vector<Certificate> proved;
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    const std::size_t place = k % kTogether;
+    if (place == 0) {
+      const std::span<const Entry> rest = std::span(bench.entries).subspan(k);
+      proved = certificates_at(bench, rest.first(std::min(kTogether, rest.size())));
+    }
     bench.require_time();
-    const RootClaim& root = bench.claims.roots[k];
-    Entry entry;
-    entry.x = on_patches(bench.stand_in, root.x);
-    entry.reach = reach_of(bench, root, entry.x);
-    entry.is_regular =
-        bench.is_list() || (!root.singular.value_or(false) && root.multiplicity == 1);
+    const RootClaim& root = roots[k];
+    Entry& entry = bench.entries[k];
     if (root.accuracy.value_or(0) < 0) {
       bench.verdicts.refute(ClaimKind::accuracy, "a bound on a distance is not negative", k + 1);
     }
@@ -220,10 +258,9 @@ void judge_existence(Bench& bench) {
       bench.verdicts.refute(ClaimKind::root, "the zero vector is no point of projective space",
                             k + 1);
     } else if (entry.is_regular) {
-      judge_regular(bench, entry, root, k + 1);
+      judge_regular(bench, entry, root, k + 1, std::move(proved[place]));
     }
     judge_certified(bench, entry, root, k + 1);
-    bench.entries.push_back(std::move(entry));
   }
 }
 
