@@ -72,8 +72,12 @@ class Reading {
   void get(Eigen::Matrix<T, Rows, Columns>& matrix) {
     const auto rows = static_cast<Eigen::Index>(bytes_.get<std::uint64_t>());
     const std::vector<T> values = bytes_.get_vector<T>();
-    const Eigen::Index columns = rows == 0 ? 0 : std::ssize(values) / rows;
-    if (columns * rows != std::ssize(values)) {
+    const auto size = static_cast<Eigen::Index>(values.size());
+    // A vector has its one column also where it is empty.
+    const Eigen::Index columns = Columns != Eigen::Dynamic ? Columns : rows > 0 ? size / rows : 0;
+    const bool has_rows = rows >= 0 && (Rows == Eigen::Dynamic || rows == Rows);
+    const bool is_full = columns == 0 ? size == 0 : rows == size / columns && size % columns == 0;
+    if (!has_rows || !is_full) {
       throw std::invalid_argument("kept bytes are not what was written");
     }
     matrix = Eigen::Map<const Eigen::Matrix<T, Rows, Columns>>(values.data(), rows, columns);

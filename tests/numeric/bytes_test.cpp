@@ -47,6 +47,12 @@ TEST(Bytes, ThoseThatEndTooSoonOrTooLateAreRefused) {
   EXPECT_THROW(reader.require_end(), std::invalid_argument);
 }
 
+TEST(Bytes, ABoolThatIsNeitherTrueNorFalseIsRefused) {
+  EXPECT_TRUE(ByteReader(std::string_view("\x01", 1)).get<bool>());
+  EXPECT_FALSE(ByteReader(std::string_view("\x00", 1)).get<bool>());
+  EXPECT_THROW(ByteReader(std::string_view("\x1f", 1)).get<bool>(), std::invalid_argument);
+}
+
 TEST(Fingerprint, OrderLengthAndEveryBitCount) {
   EXPECT_EQ(fingerprint_of("abc"), fingerprint_of("abc"));
   EXPECT_NE(fingerprint_of("abc"), fingerprint_of("acb"));

@@ -3,7 +3,8 @@
 //
 // As they stand in memory: what this program has written on this kind of machine it reads again.
 // Lengths stand before what they count.
-// Edges: bytes that end too soon, or too late, throw std::invalid_argument.
+// Edges: bytes that end too soon, or too late, and a bool that is neither, throw
+// std::invalid_argument.
 #pragma once
 
 #include <cstdint>
@@ -49,6 +50,11 @@ class ByteReader {
   template <class T>
   T get() {
     static_assert(std::is_arithmetic_v<T> || std::is_enum_v<T>);
+    if constexpr (std::is_same_v<T, bool>) {
+      const auto kept = get<unsigned char>();
+      if (kept > 1) refuse();
+      return kept == 1;
+    }
     T value;
     std::memcpy(&value, take(sizeof value).data(), sizeof value);
     return value;
