@@ -199,11 +199,14 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
   }
   if (own.empty()) return false;  // the nearest posture is told
   list.closures.reserve(own.size());
+  // As many closures are found as the regular pose has, and no path leads to them.
+  auto regular = beginning.regular.roots.begin();
   for (const Polished* const real : own) {
     const PostureEntry entry =
         has_all_joints ? enter(list, *real) : enter(list, own_values(six, real->values), false);
+    const std::uint64_t path = regular++->path;
     if (entry.kind == PostureEntry::Kind::closure && entry.is_new) {
-      list.closures[entry.index].path = beginning.regular.roots[entry.index].path;
+      list.closures[entry.index].path = path;
     }
     if (entry.kind != PostureEntry::Kind::on_set) ++result.counts.complex;
   }
