@@ -140,7 +140,8 @@ SolvedPose far_ones_too(const PoseSearch& pose, const ArmBeginning& beginning,
 /// As many as at the regular pose, and with each its conjugate.
 bool are_all(const ArmBeginning& beginning, const SolvedPose& at) {
   const RegularPose& regular = beginning.regular;
-  return at.are_right && at.closures.size() + at.far == regular.roots.size() + regular.far &&
+  return at.complete && at.are_right &&
+         at.closures.size() + at.far == regular.roots.size() + regular.far &&
          without_conjugate(beginning.six.arm, at.closures).empty();
 }
 

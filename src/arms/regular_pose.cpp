@@ -45,37 +45,44 @@ bool is_far(const Arm& arm, const JointVector<Complex>& values) {
   return false;
 }
 
-/// False where a root could not be put right, or is there twice.
-bool read_roots(const Arm& arm, const Loop& loop, RegularPose& regular) {
-  const Placement<Complex> pose = complex_placement(regular.pose);
-  bool are_right = true;
-  std::uint64_t roots = 0;
-  for (const Solution& solution : regular.solved.solutions) {
-    roots += solution.multiplicity;
-    const ReadBack read = read_back(loop, regular.cut, solution.x, solution.accuracy);
+/// The closures that the solutions of a pose mean, put right on the arm.
+SolvedPose read_closures(const Arm& arm, const Eigen::Isometry3d& pose, const Loop& loop,
+                         const Cut& cut, const SolveResult& solved) {
+  /// Roots that are nearer to real than this are tried as closures: double ones leave the real line
+  /// by rounding.
+  constexpr double kNearlyReal = 0.1;
+  const Placement<Complex> wanted = complex_placement(pose);
+  SolvedPose at;
+  at.complete = solved.complete;
+  at.are_right = true;
+  for (const Solution& solution : solved.solutions) {
+    const ReadBack read = read_back(loop, cut, solution.x, solution.accuracy);
     if (read.roots.empty()) {
-      regular.rejected += solution.multiplicity;
+      at.rejected += solution.multiplicity;
       continue;
     }
-    if (read.moves || solution.multiplicity > 1) are_right = false;
+    if (read.moves || solution.multiplicity > 1) at.are_right = false;
     for (const LoopRoot& root : read.roots) {
-      JointVector<Complex> values = values_of(loop, root);
-      double accuracy = 0;
-      if (is_far(arm, values)) {
-        ++regular.far;
+      ApproachEnd end;
+      end.values = values_of(loop, root);
+      const bool is_nearly_real = end.values.imag().cwiseAbs().maxCoeff() < kNearlyReal;
+      if (is_nearly_real) at.nearly_real.push_back(end.values.real());
+      if (is_far(arm, end.values)) {
+        ++at.far;
         continue;
       }
-      if (!correct_at(arm, pose, values, kMovedByMeaning, accuracy) ||
-          is_among(arm, values, regular.roots)) {
-        are_right = false;
-      } else {
-        regular.roots.push_back({values, solution.path});
+      if (!correct_at(arm, wanted, end.values, kMovedByMeaning, end.accuracy) ||
+          is_among(arm, end.values, at.closures)) {
+        at.are_right = false;
+        continue;
       }
+      end.kind = ApproachKind::regular;
+      end.remaining = 0;
+      end.path = solution.path;
+      at.closures.push_back(std::move(end));
     }
   }
-  // Every form of a general arm has two false roots for a true one at most: where there are more,
-  // true ones were not read back.
-  return are_right && 3 * regular.rejected <= 2 * roots;
+  return at;
 }
 
 RegularPose closures_of_values(const Arm& arm, const Eigen::VectorXd& own, const Tracker& tracker,
@@ -86,10 +93,18 @@ RegularPose closures_of_values(const Arm& arm, const Eigen::VectorXd& own, const
   regular.cut = choose_cut(loop);
   regular.solved =
       solve_outside(cut_equations(loop, regular.cut, options.seed), tracker, options, stop);
-  const bool are_right = read_roots(arm, loop, regular);
+  const SolvedPose at = read_closures(arm, regular.pose, loop, regular.cut, regular.solved);
+  for (const ApproachEnd& end : at.closures) regular.roots.push_back({end.values, end.path});
+  regular.far = at.far;
+  regular.rejected = at.rejected;
+  std::uint64_t roots = 0;
+  for (const Solution& solution : regular.solved.solutions) roots += solution.multiplicity;
   regular.solved.solutions.clear();
+  // Every form of a general arm has two false roots for a true one at most: where there are more,
+  // true ones were not read back.
+  const bool are_read = 3 * regular.rejected <= 2 * roots;
   regular.complete =
-      regular.solved.complete && are_right && is_among(arm, own.cast<Complex>(), regular.roots);
+      at.complete && at.are_right && are_read && is_among(arm, own.cast<Complex>(), regular.roots);
   return regular;
 }
 
@@ -111,37 +126,11 @@ Eigen::VectorXd regular_values(const Arm& arm, std::uint64_t seed, std::uint64_t
 
 SolvedPose solve_at(const Arm& arm, const Eigen::Isometry3d& pose, const Tracker& tracker,
                     const SolveOptions& options, const std::atomic<bool>& stop) {
-  /// Roots that are nearer to real than this are tried as closures: double ones leave the real line
-  /// by rounding.
-  constexpr double kNearlyReal = 0.1;
   const Loop loop = make_loop(arm, pose, options.seed);
   const Cut cut = choose_cut(loop);
-  const SolveResult solved =
-      solve_outside(cut_equations(loop, cut, options.seed), tracker, options, stop);
-  const Placement<Complex> wanted = complex_placement(pose);
-  SolvedPose at;
-  at.complete = at.are_right = solved.complete;
-  for (const Solution& solution : solved.solutions) {
-    const ReadBack read = read_back(loop, cut, solution.x, solution.accuracy);
-    if (!read.roots.empty() && (read.moves || solution.multiplicity > 1)) at.are_right = false;
-    for (const LoopRoot& root : read.roots) {
-      ApproachEnd end;
-      end.values = values_of(loop, root);
-      const bool is_nearly_real = end.values.imag().cwiseAbs().maxCoeff() < kNearlyReal;
-      if (is_nearly_real) at.nearly_real.push_back(end.values.real());
-      if (is_far(arm, end.values)) {
-        ++at.far;
-        continue;
-      }
-      const bool is_closure = correct_at(arm, wanted, end.values, kMovedByMeaning, end.accuracy);
-      if (!is_closure || is_among(arm, end.values, at.closures)) at.are_right = false;
-      end.kind = ApproachKind::regular;
-      end.remaining = 0;
-      end.path = solution.path;
-      at.closures.push_back(std::move(end));
-    }
-  }
-  return at;
+  return read_closures(
+      arm, pose, loop, cut,
+      solve_outside(cut_equations(loop, cut, options.seed), tracker, options, stop));
 }
 
 RegularPose find_regular_pose(const Arm& arm, const Tracker& tracker, const SolveOptions& options,

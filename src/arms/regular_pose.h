@@ -47,9 +47,10 @@ RegularPose find_regular_pose(const Arm& arm, const Tracker& tracker, const Solv
 struct SolvedPose {
   std::vector<ApproachEnd> closures;  ///< put right on the arm: regular, all different
   std::uint64_t far = 0;
-  bool are_right = false;                    ///< what was decided is all in `closures` and `far`
+  std::uint64_t rejected = 0;  ///< roots that are no closures
+  bool are_right = false;      ///< every closure that was found is in `closures` or `far`, once
+  bool complete = false;       ///< every path was decided
   std::vector<Eigen::VectorXd> nearly_real;  ///< starts; what is singular at the pose is so in them
-  bool complete = false;                     ///< every path was decided
 };
 SolvedPose solve_at(const Arm& arm, const Eigen::Isometry3d& pose, const Tracker& tracker,
                     const SolveOptions& options, const std::atomic<bool>& stop);

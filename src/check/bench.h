@@ -5,7 +5,6 @@
 
 #include <atomic>
 #include <functional>
-#include <memory>
 
 #include "moivre/certify/certifier.h"
 #include "moivre/check/claims.h"
@@ -32,7 +31,6 @@ struct Bench {
   const System& f;
   const Claims& claims;
   const StandIn& stand_in;
-  std::shared_ptr<const CertifyProgram> program;  ///< of the stand-in
   Certifier& certifier;
   std::vector<Entry> entries;
   Verdicts& verdicts;

@@ -257,9 +257,8 @@ void judge_roots(const System& f, const Claims& given, Verdicts& verdicts,
   const Claims claims = divided(given, stand_in.sheets, verdicts);
   judgement.stand_in = stand_in.name;
   judge_start(f, stand_in, claims, verdicts, stop);
-  const auto program = make_certify_program(stand_in.system);
-  Certifier certifier(program);
-  Bench bench{f, claims, stand_in, program, certifier, {}, verdicts, stop};
+  Certifier certifier(make_certify_program(stand_in.system));
+  Bench bench{f, claims, stand_in, certifier, {}, verdicts, stop};
   judge_existence(bench);
   judge_clusters(bench);
   judge_figures(bench);

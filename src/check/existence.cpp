@@ -2,9 +2,7 @@
 // Is there a regular root, and as near as is stated? Certificates, and exact Taylor sums where
 // there is none. A claim is false where that is proved.
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -117,16 +115,19 @@ void judge_farther(Bench& bench, Entry& entry, const RootClaim& root, std::size_
   entry.is_refuted = claim == ClaimKind::root;
 }
 
-/// at_point: what is proved of a root near x.
-void judge_regular(Bench& bench, Entry& entry, const RootClaim& root, std::size_t number,
-                   Certificate&& at_point) {
-  Verdicts& verdicts = bench.verdicts;
-  // Of roots that double does not tell apart digits say which one is claimed.
-  entry.certificate = certificate_at_digits(bench, root);
+/// Of roots that double does not tell apart digits say which one is claimed.
+Certificate certificate_by_digits(Bench& bench, const Entry& entry, const RootClaim& root) {
+  Certificate certificate = certificate_at_digits(bench, root);
   const bool is_claimed =
-      entry.certificate.holds_root() &&
-      sharp_distance(bench.certifier, entry.certificate, entry.x, entry.reach).most <= entry.reach;
-  if (!is_claimed) entry.certificate = std::move(at_point);
+      certificate.holds_root() &&
+      sharp_distance(bench.certifier, certificate, entry.x, entry.reach).most <= entry.reach;
+  return is_claimed ? std::move(certificate) : bench.certifier.certify(entry.x);
+}
+
+/// Of a root without digits the entry has its certificate.
+void judge_regular(Bench& bench, Entry& entry, const RootClaim& root, std::size_t number) {
+  Verdicts& verdicts = bench.verdicts;
+  if (!root.x_digits.empty()) entry.certificate = certificate_by_digits(bench, entry, root);
   if (!entry.certificate.holds_root()) {
     // Between two roots that double does not tell apart J is singular.
     entry.certificate = certificate_beside(bench, entry, [](const Certificate&) { return true; });
@@ -144,22 +145,26 @@ void judge_regular(Bench& bench, Entry& entry, const RootClaim& root, std::size_
   verdicts.leave_open(ClaimKind::root, no_certificate(), number);
 }
 
-bool is_judged_regular(const Entry& entry) { return entry.is_regular && is_finite(entry.x); }
-
-/// What is proved of a root near each of the next points, by all threads.
-std::vector<Certificate> certificates_at(const Bench& bench, std::span<const Entry> entries) {
+/// Certificates of so many entries from the first one on, where one is wanted at the point itself:
+/// by all threads.
+void certify_next(Bench& bench, std::size_t first, std::size_t count) {
   constexpr std::size_t kOfAThread = 32;
-  std::vector<Certificate> certificates(entries.size());
+  std::vector<std::size_t> wanted;
+  std::vector<Point> points;
+  for (std::size_t k = first; k < std::min(first + count, bench.entries.size()); ++k) {
+    const Entry& entry = bench.entries[k];
+    const bool has_digits = !bench.claims.roots[k].x_digits.empty();
+    if (!entry.is_regular || has_digits || !is_finite(entry.x)) continue;
+    wanted.push_back(k);
+    points.push_back(entry.x);
+  }
   const auto most = static_cast<std::size_t>(thread_count(0));
-  const std::size_t threads = std::min(most, 1 + entries.size() / kOfAThread);
-  std::atomic<std::size_t> next = 0;
-  on_threads(static_cast<int>(threads), [&] {
-    Certifier certifier(bench.program);
-    for (std::size_t k = next++; k < entries.size() && !bench.stop; k = next++) {
-      if (is_judged_regular(entries[k])) certifier.certify(entries[k].x, certificates[k]);
-    }
-  });
-  return certificates;
+  const std::size_t threads = std::min(most, 1 + points.size() / kOfAThread);
+  auto certificates =
+      certify(bench.stand_in.system, points, {}, static_cast<int>(threads), bench.stop);
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    bench.entries[wanted[i]].certificate = std::move(certificates[i]);
+  }
 }
 
 Entry entry_of(const Bench& bench, const RootClaim& root) {
@@ -240,13 +245,8 @@ void judge_existence(Bench& bench) {
   constexpr std::size_t kTogether = 4096;
   const std::vector<RootClaim>& roots = bench.claims.roots;
   for (const RootClaim& root : roots) bench.entries.push_back(entry_of(bench, root));
-  std::vector<Certificate> proved;
   for (std::size_t k = 0; k < roots.size(); ++k) {
-    const std::size_t place = k % kTogether;
-    if (place == 0) {
-      const std::span<const Entry> rest = std::span(bench.entries).subspan(k);
-      proved = certificates_at(bench, rest.first(std::min(kTogether, rest.size())));
-    }
+    if (k % kTogether == 0) certify_next(bench, k, kTogether);
     bench.require_time();
     const RootClaim& root = roots[k];
     Entry& entry = bench.entries[k];
@@ -258,7 +258,7 @@ void judge_existence(Bench& bench) {
       bench.verdicts.refute(ClaimKind::root, "the zero vector is no point of projective space",
                             k + 1);
     } else if (entry.is_regular) {
-      judge_regular(bench, entry, root, k + 1, std::move(proved[place]));
+      judge_regular(bench, entry, root, k + 1);
     }
     judge_certified(bench, entry, root, k + 1);
   }
