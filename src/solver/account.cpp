@@ -24,8 +24,8 @@ namespace {
 // accuracy comes from; and circles have little margin.
 constexpr double kSingularMargin = 4;
 
-// Some twenty megabytes and more.
-constexpr std::size_t kRootsBetweenPages = 1 << 15;
+// Some five megabytes and more.
+constexpr std::size_t kRootsBetweenPages = 1 << 13;
 
 constexpr std::uint64_t PathCounts::*kCounts[]{
     &PathCounts::tracked,       &PathCounts::finite,        &PathCounts::at_infinity,
@@ -153,12 +153,50 @@ void give_back_pages() {
 #endif
 }
 
+/// Solutions that keep nothing on the heap until the ends that they are told from are freed:
+/// between those it would hold their pages.
+class OffTheHeap {
+ public:
+  void take(Solution&& solution) {
+    coordinates_.insert(coordinates_.end(), solution.x.begin(), solution.x.end());
+    sizes_.push_back(solution.x.size());
+    solution.x = Point();
+    is_plain_.push_back(solution.winding == kPlain);
+    if (is_plain_.back()) solution.winding = std::vector<int>();
+    solutions_.push_back(std::move(solution));
+  }
+
+  void give(std::vector<Solution>& to) {
+    auto x = coordinates_.begin();
+    for (std::size_t k = 0; k < solutions_.size(); ++k) {
+      Solution& solution = to.emplace_back(std::move(solutions_[k]));
+      const auto end = x + static_cast<std::ptrdiff_t>(sizes_[k]);
+      solution.x.assign(x, end);
+      x = end;
+      if (is_plain_[k]) solution.winding = kPlain;
+    }
+    coordinates_.clear();
+    sizes_.clear();
+    is_plain_.clear();
+    solutions_.clear();
+  }
+
+ private:
+  inline static const std::vector<int> kPlain{1};
+
+  std::vector<Complex> coordinates_;
+  std::vector<std::size_t> sizes_;
+  std::vector<bool> is_plain_;
+  std::vector<Solution> solutions_;
+};
+
 /// What is told of a root is no longer kept in the table: both at once would take twice the
 /// memory.
 void enter_solutions(Run& run, const PathGroups& groups, const std::vector<bool>& on_sets,
                      SolveResult& result) {
   const auto sets = std::count(on_sets.begin(), on_sets.end(), true);
   result.solutions.reserve(groups.size() - static_cast<std::size_t>(sets));
+  OffTheHeap told;
   for (std::size_t k = 0; k < groups.size(); ++k) {
     const PathGroups::Group group = groups[k];
     result.paths.finite += group.size();
@@ -166,15 +204,16 @@ void enter_solutions(Run& run, const PathGroups& groups, const std::vector<bool>
       result.paths.on_positive_dimensional += group.size();
       result.on_sets.push_back(point_of_set(run, group));
     } else {
-      result.solutions.push_back(solution_of(run, group, windings(run, group)));
+      told.take(solution_of(run, group, windings(run, group)));
     }
     for (const std::uint64_t path : group) run.table.release(path);
-    if (k % kRootsBetweenPages == kRootsBetweenPages - 1) give_back_pages();
+    const bool is_many = k % kRootsBetweenPages == kRootsBetweenPages - 1;
+    if (is_many) give_back_pages();
+    if (is_many || k + 1 == groups.size()) told.give(result.solutions);
   }
-  const auto by_path = [](const Solution& a, const Solution& b) { return a.path < b.path; };
+  const auto by_path = [](const auto& a, const auto& b) { return a.path < b.path; };
   std::sort(result.solutions.begin(), result.solutions.end(), by_path);
   std::sort(result.on_sets.begin(), result.on_sets.end(), by_path);
-  enter_places(groups, result);
 }
 
 void count_paths(const std::vector<PathRecord>& records, PathCounts& counts) {
@@ -313,9 +352,10 @@ void close_account(Run& run, SolveResult& result) {
   const bool lacks_image =
       !run.bounds.met && is_real(run.setting.f) && !missing_conjugates(run.table).empty();
   const auto proved = run.interrupted ? std::nullopt : roots_to_compare(run);
-  result.ledger = run.table.records();
-  enter_verdicts(outcome, result);
   enter_solutions(run, outcome.groups, on_sets, result);
+  result.ledger = run.table.take_records();
+  enter_places(outcome.groups, result);
+  enter_verdicts(outcome, result);
   count_paths(result.ledger, result.paths);
   result.failures = std::move(outcome.failures);
   result.work = run.work;

@@ -86,7 +86,7 @@ class MeetingSheets {
   const Root& root(std::uint64_t path) const { return run_.table.roots().at(path); }
 
   bool misses_a_root(std::uint64_t path) const {
-    const auto& beside = root(path).beside;
+    const Certificate* const beside = run_.table.beside(path);
     return beside && !is_held(run_, *beside);
   }
 

@@ -20,72 +20,68 @@ std::size_t root_of(std::vector<std::size_t>& parent, std::size_t k) {
   return k;
 }
 
-/// For each point one of its group, the same for all of them.
-std::vector<std::size_t> one_of_group(const std::vector<KnownPoint>& points) {
-  const std::size_t count = points.size();
-  std::vector<double> numbers;
-  numbers.reserve(count);
+/// For each point the first one of its group.
+std::vector<std::size_t> first_of_group(const PointsOfPaths& points) {
   // In a number.
-  const auto reach = [&](std::size_t k) {
-    const auto& [x, tolerance] = points[k];
+  const auto reach = [](const KnownPoint& point) {
+    const auto& [x, tolerance] = point;
     return static_cast<double>(x->size()) * tolerance * std::max(1.0, max_norm(*x));
   };
   double widest = 0;
-  for (std::size_t k = 0; k < count; ++k) {
-    numbers.push_back(number_of(*points[k].x));
-    widest = std::max(widest, reach(k));
-  }
-  const NearNumbers near(numbers);
-  std::vector<std::size_t> parent(count);
+  const auto near = [&] {
+    std::vector<double> numbers;
+    numbers.reserve(points.count);
+    for (std::size_t k = 0; k < points.count; ++k) {
+      const KnownPoint point = points.point(k);
+      numbers.push_back(number_of(*point.x));
+      widest = std::max(widest, reach(point));
+    }
+    return NearNumbers(numbers);
+  }();
+  std::vector<std::size_t> parent(points.count);
   std::iota(parent.begin(), parent.end(), std::size_t{0});
-  for (std::size_t a = 0; a < count; ++a) {
-    near.visit_near(numbers[a], reach(a) + widest, [&](std::size_t b) {
-      const double known = points[a].tolerance + points[b].tolerance;
-      if (relative_distance(*points[a].x, *points[b].x) > known) return;
-      parent[root_of(parent, b)] = root_of(parent, a);
+  near.visit_all([&](double number, std::size_t a) {
+    const KnownPoint here = points.point(a);
+    near.visit_near(number, reach(here) + widest, [&](std::size_t b) {
+      if (a == b) return;
+      const KnownPoint there = points.point(b);
+      if (relative_distance(*here.x, *there.x) > here.tolerance + there.tolerance) return;
+      const std::size_t one = root_of(parent, a);
+      const std::size_t other = root_of(parent, b);
+      parent[std::max(one, other)] = std::min(one, other);
     });
-  }
-  for (std::size_t k = 0; k < count; ++k) parent[k] = root_of(parent, k);
+  });
+  for (std::size_t k = 0; k < points.count; ++k) parent[k] = root_of(parent, k);
   return parent;
 }
 
 }  // namespace
 
-PathGroups coincidence_groups(const std::vector<std::uint64_t>& paths,
-                              const std::vector<KnownPoint>& points) {
-  constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-  const std::vector<std::size_t> one_of = one_of_group(points);
-  // A chain from each group's first point through all of them.
-  std::vector<std::size_t> last(points.size(), kNone);  // by one of the group
-  std::vector<std::size_t> next(points.size(), kNone);
-  std::vector<bool> is_first(points.size());
-  std::size_t count = 0;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    std::size_t& before = last[one_of[k]];
-    is_first[k] = before == kNone;
-    if (is_first[k]) {
-      ++count;
-    } else {
-      next[before] = k;
-    }
-    before = k;
+PathGroups coincidence_groups(const PointsOfPaths& points) {
+  const std::vector<std::size_t> first = first_of_group(points);
+  // Nearly every point is the first one of its group.
+  std::vector<std::size_t> others;
+  for (std::size_t k = 0; k < points.count; ++k) {
+    if (first[k] != k) others.push_back(k);
   }
+  std::stable_sort(others.begin(), others.end(),
+                   [&](std::size_t a, std::size_t b) { return first[a] < first[b]; });
   PathGroups groups;
-  groups.reserve(count, points.size());
+  groups.reserve(points.count - others.size(), points.count);
   std::vector<std::uint64_t> group;
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (!is_first[k]) continue;
-    group.clear();
-    for (std::size_t at = k; at != kNone; at = next[at]) group.push_back(paths[at]);
+  auto next = others.begin();
+  for (std::size_t k = 0; k < points.count; ++k) {
+    if (first[k] != k) continue;
+    group.assign(1, points.path(k));
+    for (; next != others.end() && first[*next] == k; ++next) group.push_back(points.path(*next));
     groups.add(group);
   }
   return groups;
 }
 
 PathGroups coincidence_groups(const std::vector<KnownPoint>& points) {
-  std::vector<std::uint64_t> places(points.size());
-  std::iota(places.begin(), places.end(), std::uint64_t{0});
-  return coincidence_groups(places, points);
+  return coincidence_groups({points.size(), [&](std::size_t k) { return points[k]; },
+                             [](std::size_t k) { return std::uint64_t{k}; }});
 }
 
 }  // namespace moivre

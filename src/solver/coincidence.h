@@ -6,6 +6,9 @@
 // the connected components of that relation. O(N log N) unless many points share one projection.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "moivre/numeric/complex.h"
@@ -18,10 +21,15 @@ struct KnownPoint {
   double tolerance;  ///< relative to max(1, |x|_inf)
 };
 
-/// The paths that come to these points, as many of each; every group in their order, groups by
-/// their first path; single points too.
-PathGroups coincidence_groups(const std::vector<std::uint64_t>& paths,
-                              const std::vector<KnownPoint>& points);
+/// Points and the paths that come to them, read where they are kept: of a million no list is made.
+struct PointsOfPaths {
+  std::size_t count = 0;
+  std::function<KnownPoint(std::size_t)> point;
+  std::function<std::uint64_t(std::size_t)> path;
+};
+
+/// Paths; every group in the points' order, groups by their first point; single points too.
+PathGroups coincidence_groups(const PointsOfPaths& points);
 /// The same of their places among `points`.
 PathGroups coincidence_groups(const std::vector<KnownPoint>& points);
 

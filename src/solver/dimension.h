@@ -30,12 +30,13 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 
 #include "refine.h"
 
 namespace moivre {
 
-enum class SetHere {
+enum class SetHere : std::uint8_t {
   none,
   blurred,  ///< |F| does not vanish on it but for rounding, of coefficients or of J
   sharp

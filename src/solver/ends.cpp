@@ -57,20 +57,26 @@ std::shared_ptr<const Certificate> if_within_reach(
   return is_it ? certificate : nullptr;
 }
 
+struct JudgedEnd {
+  Root root;
+  std::shared_ptr<const Certificate> beside;  ///< PathTable::enter_root()
+};
+
 /// A proved root near the end is what the path ends at; without a proof it is no simple root. Of an
 /// end that may still wait for more effort, and in a run that is to stop, double tells enough: near
 /// a multiple root a proof is sought in vain, for long.
 bool prove(const Run& run, Tools& tools, const PathEnd& end, const Point& x, double accuracy,
-           Root& root) {
+           JudgedEnd& judged) {
   auto& [refiner, prover, restorer] = tools;
   const bool is_brief = run.effort == Effort::regular_ends || run.setting.stop;
   const auto nearest = is_brief ? prover.prove_in_double(x) : prover.prove(x);
   auto certificate = if_within_reach(refiner, x, accuracy, nearest);
   if (!certificate && !is_brief) certificate = restorer.proved(prover, end.x);
   if (!certificate) {
-    root.beside = nearest;
+    judged.beside = nearest;
     return false;
   }
+  Root& root = judged.root;
   root = proved_root(refiner, std::move(certificate));
   for (int bits = kMostProofBits; bits <= kMostArbBits; bits *= 2) {
     if (root.point.residual <= kDigitsResidual) break;
@@ -87,17 +93,18 @@ bool is_contradicted(const Refined& end, int sheets, double accuracy) {
   return std::pow(end.accuracy, sheets) > kMostOfFirstOrder * (accuracy + kRoundingOfF);
 }
 
-Root judged_root(const Run& run, Tools& tools, const PathEnd& end) {
+JudgedEnd judged_end(const Run& run, Tools& tools, const PathEnd& end) {
   const Setting& setting = run.setting;
   Refiner& refiner = tools.refiner;
   const Point x = to_original(setting.prepared, end.x);
   // A relative error of z_0 is one of z / z_0, larger by the size of the affine point.
   const double accuracy = end.accuracy * std::max(1.0, end.size);
-  Root root;
+  JudgedEnd judged;
+  Root& root = judged.root;
   const bool many_sheets = end.winding.value_or(1) > 1;
-  const bool is_proved = !many_sheets && prove(run, tools, end, x, accuracy, root);
+  const bool is_proved = !many_sheets && prove(run, tools, end, x, accuracy, judged);
   root.winding = end.winding;
-  if (is_proved) return root;
+  if (is_proved) return judged;
   const int sheets = many_sheets ? *end.winding : kLeastMultiplicity;
   root.point = refiner.keep(x, accuracy, sheets);
   // A proof that nobody had the time for says nothing against a simple root.
@@ -105,26 +112,26 @@ Root judged_root(const Run& run, Tools& tools, const PathEnd& end) {
   if (is_unjudged || is_contradicted(root.point, sheets, accuracy)) root.point.accuracy = 1;
   root.tolerance = std::max(kSingularTolerance, 10 * root.point.accuracy);
   const bool is_beside =
-      root.beside && relative_distance(root.point.x, root.beside->midpoint) <= root.tolerance;
-  if (!is_beside) root.beside.reset();
-  return root;
+      judged.beside && relative_distance(root.point.x, judged.beside->midpoint) <= root.tolerance;
+  if (!is_beside) judged.beside.reset();
+  return judged;
 }
 
-std::vector<Root> judged_roots(const Run& run) {
-  std::vector<Root> roots(run.ends.size());
+std::vector<JudgedEnd> judged_ends(const Run& run) {
+  std::vector<JudgedEnd> judged(run.ends.size());
   const auto threads = static_cast<std::size_t>(run.setting.threads);
-  const std::size_t chunks = std::min(threads, 1 + roots.size() / kEndsOfAThread);
+  const std::size_t chunks = std::min(threads, 1 + judged.size() / kEndsOfAThread);
   for_each_parallel(chunks, run.setting.threads, [&](std::size_t chunk) {
     Tools tools(run.setting, kMostProofBits);
     std::optional<Tools> fine_tools;  // made when they are first needed
-    for (std::size_t k = chunk; k < roots.size(); k += chunks) {
+    for (std::size_t k = chunk; k < judged.size(); k += chunks) {
       const auto& [path, end] = run.ends[k];
       const bool is_fine = run.table.precision(path) == PathPrecision::multiprecision;
       if (is_fine && !fine_tools) fine_tools.emplace(run.setting, kMostArbBits);
-      roots[k] = judged_root(run, is_fine ? *fine_tools : tools, end);
+      judged[k] = judged_end(run, is_fine ? *fine_tools : tools, end);
     }
   });
-  return roots;
+  return judged;
 }
 
 bool is_known_singular(const Root& root) {
@@ -206,19 +213,20 @@ void take_end(Run& run, std::uint64_t path, PathEnd&& end) {
 void judge_ends(Run& run, Unproved unproved) {
   std::sort(run.ends.begin(), run.ends.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<Root> roots = judged_roots(run);
-  for (std::size_t k = 0; k < roots.size(); ++k) {
+  std::vector<JudgedEnd> judged = judged_ends(run);
+  for (std::size_t k = 0; k < judged.size(); ++k) {
     const auto& [path, end] = run.ends[k];
+    auto& [root, beside] = judged[k];
     const bool hides_terms = run.setting.hides_terms(run.table.precision(path));
-    const bool is_root = roots[k].point.simple || (!hides_terms && is_known_singular(roots[k]));
-    if (!is_root && unproved == Unproved::agrees && is_where_it_was(run, path, roots[k])) continue;
+    const bool is_root = root.point.simple || (!hides_terms && is_known_singular(root));
+    if (!is_root && unproved == Unproved::agrees && is_where_it_was(run, path, root)) continue;
     keep_sheet(run, path, end);
     if (is_root) {
-      run.table.enter_root(path, std::move(roots[k]));
+      run.table.enter_root(path, std::move(root), std::move(beside));
     } else if (unproved == Unproved::waits) {
       run.waiting[path] = {};
     } else {
-      run.table.enter_failure({path, Failure::precision, end.t, end.stage}, roots[k].point.x);
+      run.table.enter_failure({path, Failure::precision, end.t, end.stage}, root.point.x);
     }
   }
   run.ends.clear();

@@ -37,6 +37,7 @@ void PathTable::decide(std::uint64_t path, PathVerdict verdict) {
   PathRecord& known = record(path);
   if (known.verdict == PathVerdict::finite) {
     roots_.erase(path);
+    beside_.erase(path);
     refuted_.erase(path);
   }
   if (known.verdict == PathVerdict::failed) {
@@ -48,9 +49,16 @@ void PathTable::decide(std::uint64_t path, PathVerdict verdict) {
   ++count_[static_cast<std::size_t>(verdict)];
 }
 
-void PathTable::enter_root(std::uint64_t path, Root&& root) {
+void PathTable::enter_root(std::uint64_t path, Root&& root,
+                           std::shared_ptr<const Certificate> beside) {
   decide(path, PathVerdict::finite);
   roots_[path] = std::move(root);
+  if (beside) beside_[path] = std::move(beside);
+}
+
+const Certificate* PathTable::beside(std::uint64_t path) const {
+  const auto found = beside_.find(path);
+  return found == beside_.end() ? nullptr : found->second.get();
 }
 
 void PathTable::enter_infinity(std::uint64_t path, bool is_as_rounded) {
@@ -89,16 +97,16 @@ std::uint64_t PathTable::tracked() const {
 }
 
 PathGroups PathTable::groups() const {
-  std::vector<std::uint64_t> paths;
-  std::vector<KnownPoint> points;
-  paths.reserve(roots_.size());
-  points.reserve(roots_.size());
-  for (const auto& [path, root] : roots_) {
-    if (refuted_.contains(path)) continue;
-    paths.push_back(path);
-    points.push_back({&root.point.x.point(), root.tolerance});
+  std::vector<const std::pair<const std::uint64_t, Root>*> ends;
+  ends.reserve(roots_.size());
+  for (const auto& end : roots_) {
+    if (!refuted_.contains(end.first)) ends.push_back(&end);
   }
-  return coincidence_groups(paths, points);
+  const auto point = [&](std::size_t k) {
+    const Root& root = ends[k]->second;
+    return KnownPoint{&root.point.x.point(), root.tolerance};
+  };
+  return coincidence_groups({ends.size(), point, [&](std::size_t k) { return ends[k]->first; }});
 }
 
 std::optional<std::vector<int>> cycles(const PathTable& table, PathGroups::Group group) {

@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "dimension.h"
@@ -23,25 +24,26 @@ namespace moivre {
 /// Numbers of paths.
 using PathSet = std::set<std::uint64_t>;
 
-/// The finite end of one path, on the system as given.
+/// The finite end of one path, on the system as given. A run may have a million of them: no byte
+/// that few of them need.
 struct Root {
   Refined point;
-  std::optional<int>
+  double tolerance = 0;  ///< relative, within which another end is the same root
+  std::shared_ptr<const Certificate> certificate;  ///< of a simple root that is proved
+  std::optional<std::int16_t>
       winding;            ///< nullopt: no circle was needed, so it counts as 1, or none was seen
   bool is_exact = false;  ///< an isolated multiple root that `point` is exactly, but for rounding
-  double tolerance = 0;   ///< relative, within which another end is the same root
-  std::shared_ptr<const Certificate> certificate;  ///< of a simple root that is proved
-  /// Of one that is no further than the tolerance from an end that is not it, as far as the end is
-  /// known coordinate by coordinate.
-  std::shared_ptr<const Certificate> beside;
   /// A positive-dimensional set that it lies on, once asked.
   mutable std::optional<SetHere> on_set;
 };
 
 class PathTable {
  public:
-  /// Each takes the place of what was entered of the path before.
-  void enter_root(std::uint64_t path, Root&& root);
+  /// Each takes the place of what was entered of the path before. beside: of a simple root that is
+  /// no further than the tolerance from this end, and not it, as far as the end is known coordinate
+  /// by coordinate.
+  void enter_root(std::uint64_t path, Root&& root,
+                  std::shared_ptr<const Certificate> beside = nullptr);
   void enter_infinity(std::uint64_t path, bool is_as_rounded = false);
   /// last: where it was last, on the system as given; empty where that is nowhere.
   void enter_failure(const FailedPath& failure, Point last = {});
@@ -66,10 +68,14 @@ class PathTable {
   const std::map<std::uint64_t, FailedPath>& failures() const { return failures_; }
   /// Paths with a root on record that is none.
   const PathSet& refuted() const { return refuted_; }
+  /// As entered with the path's root; null where there is none.
+  const Certificate* beside(std::uint64_t path) const;
   /// Of failed paths.
   const std::map<std::uint64_t, Point>& last_points() const { return last_points_; }
   /// By path number, up to the last path that anything is known of.
   const std::vector<PathRecord>& records() const { return records_; }
+  /// They are no longer in the table.
+  std::vector<PathRecord> take_records() { return std::move(records_); }
   PathPrecision precision(std::uint64_t path) const;
   std::uint64_t count(PathVerdict verdict) const;
   /// Paths with an entry.
@@ -84,6 +90,7 @@ class PathTable {
   void decide(std::uint64_t path, PathVerdict verdict);
 
   std::map<std::uint64_t, Root> roots_;
+  std::map<std::uint64_t, std::shared_ptr<const Certificate>> beside_;
   PathSet refuted_;
   std::map<std::uint64_t, FailedPath> failures_;
   std::map<std::uint64_t, Point> last_points_;

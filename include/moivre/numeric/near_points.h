@@ -41,10 +41,17 @@ class NearNumbers {
   NearNumbers() = default;
   /// One a point; a NaN is near nothing.
   explicit NearNumbers(const std::vector<double>& numbers) {
+    sorted_.reserve(numbers.size());
     for (std::size_t k = 0; k < numbers.size(); ++k) {
       if (!std::isnan(numbers[k])) sorted_.emplace_back(numbers[k], k);
     }
     std::sort(sorted_.begin(), sorted_.end());
+  }
+
+  /// Calls visit(number, k) for each point k that has a number, by ascending number.
+  template <class Visit>
+  void visit_all(const Visit& visit) const {
+    for (const auto& [number, k] : sorted_) visit(number, k);
   }
 
   /// Calls visit(k) for each point k whose number is no farther than `reach` from this one, by
