@@ -13,6 +13,8 @@
 #include <ctime>
 #include <exception>
 
+#include "moivre/factorization/lu.h"
+#include "moivre/homotopy/evaluator.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/solver/solve.h"
 #include "moivre/start/total_degree.h"

@@ -15,8 +15,6 @@
 // found: seeds with the published number, all of them certified; complete: those with a proof or a
 // trace test that holds.
 // Exit: 0 every count is the published one, 1 some is not, 2 usage.
-#include "moivre/family/monodromy.h"
-
 #include <cstdio>
 #include <exception>
 #include <string>

@@ -29,6 +29,7 @@
 
 #include "moivre/polynomial/read.h"
 #include "moivre/solver/solve.h"
+#include "moivre/tracker/session.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 

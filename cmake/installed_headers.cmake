@@ -1,25 +1,12 @@
 # SPDX-License-Identifier: MIT
-# Which headers does an outsider see? moivre/moivre.h, those that docs/library.md names, and what these include. What only modules share is not
-# installed.
+# Which headers does an outsider see? moivre/moivre.h, and those that it names, one by one (decision 100). What only modules share is not
+# installed. tests/layers sees that they include no others, and that they stay few.
 
-# moivre_installed_headers(<root> <variable>): their names, as they are included. Configuring is done again where one of them changes.
+# moivre_installed_headers(<root> <variable>): their names, as they are included. Configuring is done again where the list changes.
 function(moivre_installed_headers root variable)
-  set(page ${root}/docs/library.md)
-  file(STRINGS ${page} lines REGEX "moivre/")
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${page})
-  string(REGEX MATCHALL "moivre/[a-z_]+/[a-z_]+\\.h" waiting "${lines}")
-  set(found)
-  list(APPEND waiting moivre/moivre.h)
-  while(waiting)
-    list(POP_FRONT waiting header)
-    if(header IN_LIST found)
-      continue()
-    endif()
-    list(APPEND found ${header})
-    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${root}/include/${header})
-    file(STRINGS ${root}/include/${header} lines REGEX "^#include \"moivre/")
-    string(REGEX MATCHALL "moivre/[a-z_/]+\\.h" included "${lines}")
-    list(APPEND waiting ${included})
-  endwhile()
-  set(${variable} ${found} PARENT_SCOPE)
+  set(all ${root}/include/moivre/moivre.h)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${all})
+  file(STRINGS ${all} lines REGEX "^#include \"moivre/")
+  list(TRANSFORM lines REPLACE "^#include \"(.*)\"$" "\\1")
+  set(${variable} moivre/moivre.h ${lines} PARENT_SCOPE)
 endfunction()

@@ -33,7 +33,6 @@ set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "every isolated root of a polynomial sy
 # What moivreConfig.cmake looks for.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "libeigen3-dev, libboost-dev, libsundials-dev, libtbb-dev, libmpfr-dev, libgmp-dev, libflint-dev, libsqlite3-dev, libtomlplusplus-dev, libpugixml-dev")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_RECOMMENDS nlohmann-json3-dev)
 # Beside FLINT 2 Arb is a package of its own.
 if(ARB_LIBRARY)
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libflint-arb-dev")

@@ -13,7 +13,6 @@
 #include "moivre/closure_report/kinematics_report.h"
 #include "moivre/closure_report/motion_report.h"
 #include "moivre/closure_report/page.h"
-#include "moivre/closure_report/picture.h"
 #include "moivre/closure_report/sensitivity_report.h"
 #include "moivre/closures/guesses.h"
 #include "moivre/closures/mobility_kinds.h"

@@ -9,6 +9,7 @@
 #include "moivre/arms/posture.h"
 #include "moivre/closure_report/sheet.h"
 #include "moivre/expression/counted.h"
+#include "moivre/numeric/exact_displacement.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/report/number_text.h"
 #include "skeleton.h"

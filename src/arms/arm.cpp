@@ -5,9 +5,11 @@
 
 #include <cmath>
 
+#include "exact_motion.h"
 #include "moivre/arms/rules.h"
 #include "moivre/expression/joined.h"
 #include "moivre/numeric/invalid_input.h"
+#include "moivre/urdf/choice.h"
 #include "moivre/urdf/placement.h"
 #include "typed_displacement.h"
 
@@ -113,12 +115,12 @@ ArmJoint free_joint(const RobotJoint& joint, const Walk& walk, bool is_backwards
   free.is_slide = joint.type == RobotJointType::prismatic;
   free.limits = joint.limits;
   free.before = walk.transform;
-  free.exact_before = walk.exact;
+  free.exact_before = exact_motion(walk.exact);
   const double sign = is_backwards ? -1 : 1;
   free.axis = sign * to_vector(joint.axis).stableNormalized();
-  free.step = exact_step(joint.axis, free.is_slide);
-  free.exact_length = exact_length(free.step, free.is_slide);
-  if (is_backwards) free.step = conjugate(free.step);
+  const ExactDisplacement step = exact_step(joint.axis, free.is_slide);
+  free.exact_length = exact_length(step, free.is_slide);
+  free.step = exact_motion(is_backwards ? conjugate(step) : step);
   return free;
 }
 
@@ -209,7 +211,7 @@ Arm make_arm(const Robot& robot, const ArmChoice& choice) {
     rounding.length += own.length;
   }
   arm.tool = walk.transform;
-  arm.exact_tool = walk.exact;
+  arm.exact_tool = exact_motion(walk.exact);
   if (arm.length == 0) arm.length = 1;
   arm.rounding = rounding.angle + rounding.length / arm.length;
   return arm;

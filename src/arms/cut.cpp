@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "moivre/factorization/svd.h"
+#include "moivre/mechanism/joint_type.h"
 
 namespace moivre {
 namespace {

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "loop.h"
+#include "moivre/numeric/exact_displacement.h"
 
 namespace moivre {
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cut.h"
+#include "moivre/numeric/exact_displacement.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/system.h"
 

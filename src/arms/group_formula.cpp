@@ -8,6 +8,8 @@
 #include <numbers>
 #include <type_traits>
 
+#include "exact_motion.h"
+
 namespace moivre {
 namespace {
 
@@ -431,10 +433,10 @@ std::optional<GroupFormula> group_formula(const Arm& arm, const Cut& cut) {
     const ArmJoint& joint = arm.joints[k];
     if (joint.is_slide) return std::nullopt;
     const JointLink own = onto(joint.axis);
-    formula.before[k] = behind * link_of(joint.exact_before, arm.length) * own;
+    formula.before[k] = behind * link_of(*joint.exact_before, arm.length) * own;
     behind = inverse(own);
   }
-  formula.tip = behind * link_of(arm.exact_tool, arm.length);
+  formula.tip = behind * link_of(*arm.exact_tool, arm.length);
   find_kept(formula);
   // The pose is in the link before joint 0: where that is the one between the first two joints
   // outside, nothing is known of it.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "exact_motion.h"
 #include "moivre/numeric/random.h"
 #include "typed_displacement.h"
 
@@ -37,9 +38,9 @@ Loop open_loop(const Arm& arm, std::uint64_t seed) {
   for (const ArmJoint& joint : arm.joints) {
     LoopJoint& added = loop.joints.emplace_back();
     auto& [before, one, step] = added.exact;
-    before = in_unit(joint.exact_before, loop.unit_exponent);
+    before = in_unit(*joint.exact_before, loop.unit_exponent);
     one <<= static_cast<unsigned>(std::max(0, std::ilogb(joint.exact_length)));
-    step = joint.step;
+    step = *joint.step;
     added.is_slide = joint.is_slide;
     added.exact_length = joint.exact_length / to_double(ratio(one));
     if (!joint.is_slide) shift_zero(added, seed, loop.joints.size() - 1);
@@ -53,7 +54,7 @@ Loop open_loop(const Arm& arm, std::uint64_t seed) {
 Loop make_loop(const Arm& arm, const Eigen::Isometry3d& pose, std::uint64_t seed) {
   Loop loop = open_loop(arm, seed);
   const ExactDisplacement back =
-      in_unit(reduced(arm.exact_tool * conjugate(exact_pose(pose))), loop.unit_exponent);
+      in_unit(reduced(*arm.exact_tool * conjugate(exact_pose(pose))), loop.unit_exponent);
   LoopJoint& first = loop.joints.front();
   first.exact.before = reduced(back * first.exact.before);
   first.rounded.before = unit(rounded(first.exact.before));

@@ -17,6 +17,7 @@
 
 #include "moivre/arms/arm.h"
 #include "moivre/numeric/complex.h"
+#include "moivre/numeric/exact_displacement.h"
 
 namespace moivre {
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "exact_motion.h"
 #include "typed_displacement.h"
 
 namespace moivre {
@@ -24,7 +25,7 @@ PoseLoop pose_loop(const Arm& arm, std::uint64_t seed) {
   PoseLoop poses;
   poses.open = open_loop(arm, seed);
   poses.cut = choose_cut(poses.open, CutPlace::away_from_pose);
-  poses.tool = rounded(in_unit(arm.exact_tool, poses.open.unit_exponent));
+  poses.tool = rounded(in_unit(*arm.exact_tool, poses.open.unit_exponent));
   return poses;
 }
 

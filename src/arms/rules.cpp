@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "exact_motion.h"
 #include "moivre/arms/poses.h"
 #include "moivre/factorization/svd.h"
 #include "moivre/numeric/integer.h"
@@ -41,8 +42,8 @@ std::vector<std::string> faults_of(const Eigen::Isometry3d& pose, double most) {
   return faults;
 }
 
-bool is_displacement(const ExactDisplacement& g) {
-  return dot(g.q, g.q) != 0 && dot(g.q, g.g) == 0;
+bool is_displacement(const ExactPointer& g) {
+  return g && dot(g->q, g->q) != 0 && dot(g->q, g->g) == 0;
 }
 
 void check_joint(const ArmJoint& joint, std::vector<std::string>& broken) {
@@ -52,7 +53,7 @@ void check_joint(const ArmJoint& joint, std::vector<std::string>& broken) {
   }
   const bool is_unit = joint.axis.allFinite() && std::abs(joint.axis.norm() - 1) <= kRounding;
   if (!is_unit) broken.push_back(name + "needs an axis of length 1");
-  if (!is_displacement(joint.exact_before) || largest_part(joint.step) == 0) {
+  if (!is_displacement(joint.exact_before) || !joint.step || largest_part(*joint.step) == 0) {
     broken.push_back(name + "needs exact displacements (make_arm() makes them)");
   }
   if (!(joint.exact_length > 0) || !is_workable(joint.exact_length)) {

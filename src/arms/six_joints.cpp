@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "exact_motion.h"
 #include "moivre/factorization/svd.h"
 #include "moivre/urdf/placement.h"
 #include "random_values.h"
@@ -37,7 +38,7 @@ Eigen::MatrixXd without(const Eigen::MatrixXd& screws, const std::vector<std::si
 void hold(Arm& arm, std::size_t joint, double value) {
   const ArmJoint& held = arm.joints[joint];
   Eigen::Isometry3d by = held.before;
-  ExactDisplacement exact = held.exact_before;
+  ExactDisplacement exact = *held.exact_before;
   if (held.is_slide) {
     by.translate(value * held.axis);
   } else {
@@ -47,9 +48,9 @@ void hold(Arm& arm, std::size_t joint, double value) {
   exact = exact * (held.is_slide ? exact_slide(axis, value) : exact_turn(axis, value));
   const bool is_last = joint + 1 == arm.joints.size();
   Eigen::Isometry3d& behind = is_last ? arm.tool : arm.joints[joint + 1].before;
-  ExactDisplacement& exact_behind = is_last ? arm.exact_tool : arm.joints[joint + 1].exact_before;
+  ExactPointer& exact_behind = is_last ? arm.exact_tool : arm.joints[joint + 1].exact_before;
   behind = by * behind;
-  exact_behind = reduced(exact * exact_behind);
+  exact_behind = exact_motion(reduced(exact * *exact_behind));
   arm.joints.erase(arm.joints.begin() + static_cast<std::ptrdiff_t>(joint));
 }
 
@@ -72,12 +73,12 @@ void add_joint(Arm& arm, const ExactVector& place, std::uint64_t seed, std::uint
   const ExactDisplacement exact_shift = exact_origin(place, {});
   ArmJoint& added = arm.joints.emplace_back();
   added.before = shift;
-  added.exact_before = exact_shift;
+  added.exact_before = exact_motion(exact_shift);
   added.axis = to_vector(axis).normalized();
-  added.step = exact_step(axis, false);
-  added.exact_length = exact_length(added.step, false);
+  added.step = exact_motion(exact_step(axis, false));
+  added.exact_length = exact_length(*added.step, false);
   arm.tool = shift.inverse() * arm.tool;
-  arm.exact_tool = reduced(conjugate(exact_shift) * arm.exact_tool);
+  arm.exact_tool = exact_motion(reduced(conjugate(exact_shift) * *arm.exact_tool));
 }
 
 /// Axes through a point of the last joint's axis, which make a wrist with it; or axes anywhere.
@@ -94,7 +95,7 @@ ExactVector centre_of_wrist(const Arm& arm, double size, std::uint64_t seed) {
   const Rational along = random_number(seed, kBehindAxes, 1) * unit;
   ExactVector centre;
   for (std::size_t k = 0; k < centre.size(); ++k)
-    centre[k] = along * ratio(last.step.q[k + 1], Integer(1));
+    centre[k] = along * ratio(last.step->q[k + 1], Integer(1));
   return centre;
 }
 

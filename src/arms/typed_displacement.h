@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "moivre/arms/arm.h"
+#include "moivre/numeric/exact_displacement.h"
 
 namespace moivre {
 

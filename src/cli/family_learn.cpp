@@ -17,7 +17,6 @@
 #include "moivre/expression/counted.h"
 #include "moivre/expression/words.h"
 #include "moivre/family/learn.h"
-#include "moivre/family/monodromy.h"
 #include "moivre/family_report/family_report.h"
 #include "moivre/numeric/threads.h"
 #include "moivre/polynomial/read.h"

@@ -8,8 +8,7 @@
 
 #include "interruption.h"
 #include "kept_run.h"
-#include "moivre/family/member.h"
-#include "moivre/family/values.h"
+#include "moivre/family/members.h"
 #include "moivre/family_report/family_report.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/numeric/threads.h"

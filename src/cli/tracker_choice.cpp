@@ -8,8 +8,7 @@
 
 #include "choices.h"
 #include "common_options.h"
-#include "moivre/tracker/cvode_options.h"
-#include "moivre/tracker/lane_options.h"
+#include "moivre/tracker/tracker_options.h"
 
 #if MOIVRE_WITH_CVODE
 #include "moivre/tracker_cvode/cvode_tracker.h"

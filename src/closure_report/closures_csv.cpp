@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Closures as a table: one a line, coordinates in their order.
 #include "joint_values.h"
+#include "moivre/closure_report/angles.h"
 #include "moivre/closure_report/closure_report.h"
 #include "moivre/report/number_text.h"
 

@@ -2,7 +2,8 @@
 // The closures' picture: panels in rows, of one size and one scale.
 
 #include "labels.h"
-#include "moivre/closure_report/picture.h"
+#include "moivre/closure_report/closure_report.h"
+#include "moivre/closure_report/sheet.h"
 #include "moivre/report/number_text.h"
 #include "pose_text.h"
 #include "svg.h"

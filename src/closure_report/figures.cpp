@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 
 namespace moivre {

@@ -2,6 +2,7 @@
 // Each joint's coordinate as mechanism/pose.h reads it off the bodies.
 #include "joint_values.h"
 
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 
 namespace moivre {

@@ -4,7 +4,9 @@
 #include <set>
 
 #include "labels.h"
-#include "moivre/closure_report/picture.h"
+#include "moivre/closure_report/closure_report.h"
+#include "moivre/closure_report/motion_report.h"
+#include "moivre/closure_report/sheet.h"
 #include "moivre/closures/same_pose.h"
 #include "moivre/expression/counted.h"
 #include "moivre/report/number_text.h"

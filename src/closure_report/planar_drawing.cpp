@@ -9,6 +9,7 @@
 #include <set>
 
 #include "figures.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 
 namespace moivre {

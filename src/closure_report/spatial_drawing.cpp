@@ -6,6 +6,7 @@
 #include <array>
 
 #include "figures.h"
+#include "moivre/mechanism/joint_type.h"
 
 namespace moivre {
 namespace {

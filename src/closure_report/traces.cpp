@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 #include "shown_angles.h"
 

@@ -12,6 +12,7 @@
 #include "figures.h"
 #include "moivre/closure_report/document.h"
 #include "moivre/closure_report/sheet.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/markup.h"
 #include "page_assets.h"

@@ -4,6 +4,7 @@
 
 #include "moivre/closure_study/motion_table.h"
 #include "moivre/closures/closures.h"
+#include "moivre/formulation/formulation.h"
 #include "moivre/motion/motion.h"
 
 namespace moivre {

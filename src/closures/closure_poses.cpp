@@ -16,6 +16,7 @@
 #include "moivre/kinematics/own_units.h"
 #include "moivre/mechanism/closure_id.h"
 #include "moivre/mechanism/drawn_pose.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/mechanism/spins.h"
 #include "moivre/numeric/near_points.h"

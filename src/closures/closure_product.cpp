@@ -8,6 +8,7 @@
 #include "closure_poses.h"
 #include "closure_roots.h"
 #include "moivre/closures/stages.h"
+#include "moivre/closures/sub_chains.h"
 #include "moivre/numeric/saturating.h"
 
 namespace moivre {

@@ -16,6 +16,7 @@
 #include "moivre/formulation/exact.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/numeric/near_points.h"
+#include "moivre/polynomial/digits.h"
 #include "moivre/polynomial/square_up.h"
 #include "moivre/polynomial/tape.h"
 #include "moivre/polynomial/value.h"

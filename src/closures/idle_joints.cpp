@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/mechanism/spins.h"
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/spins.h"
 
 namespace moivre {

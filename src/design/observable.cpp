@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/nearest.h"
 #include "moivre/numeric/invalid_input.h"
 

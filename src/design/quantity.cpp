@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The quantities of each group, and how they are read off a sample.
-#include "moivre/design/quantity.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "moivre/closures/idle_joints.h"
+#include "moivre/design/readings.h"
 #include "moivre/factorization/svd.h"
 #include "moivre/kinematics/own_units.h"
+#include "moivre/kinematics/state.h"
 #include "moivre/numeric/invalid_input.h"
 #include "pose_between.h"
 #include "sampled_pose.h"

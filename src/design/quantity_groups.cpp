@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What are the groups of quantities called, and what is in each?
-#include "moivre/design/quantity.h"
+#include "moivre/design/readings.h"
 
 namespace moivre {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <optional>
 
-#include "moivre/design/quantity.h"
+#include "moivre/design/readings.h"
 #include "moivre/kinematics/coefficients.h"
 #include "moivre/kinematics/transmission.h"
 #include "observable.h"

@@ -12,6 +12,7 @@
 #include "moivre/kinematics/newton.h"
 #include "moivre/kinematics/sensitivity.h"
 #include "moivre/mechanism/dimension_rates.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/numeric/invalid_input.h"
 

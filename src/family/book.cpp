@@ -6,7 +6,9 @@
 
 #include "moivre/family/coefficients.h"
 #include "moivre/family/learn.h"
-#include "moivre/family/member.h"
+#include "moivre/family/members.h"
+#include "moivre/solver/given_start.h"
+#include "start_of_member.h"
 
 namespace moivre {
 namespace {

@@ -12,7 +12,6 @@
 #include "judged_claims.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/read.h"
-#include "moivre/polynomial/write.h"
 
 namespace moivre {
 namespace {

@@ -13,6 +13,7 @@
 #include "moivre/numeric/random.h"
 #include "moivre/numeric/threads.h"
 #include "moivre/tracker/followed.h"
+#include "moivre/tracker/session.h"
 
 namespace moivre {
 namespace {

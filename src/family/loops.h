@@ -5,7 +5,8 @@
 // Private to the module.
 #pragma once
 
-#include "moivre/family/monodromy.h"
+#include "moivre/family/learn.h"
+#include "moivre/numeric/observations.h"
 #include "root_set.h"
 
 namespace moivre {

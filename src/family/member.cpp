@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The start that a family gives to one of its members.
-#include "moivre/family/member.h"
-
 #include "moivre/expression/counted.h"
+#include "moivre/family/members.h"
 #include "moivre/solver/member_start.h"
+#include "start_of_member.h"
 
 namespace moivre {
 namespace {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Members solved block by block, and their roots put row under row.
-#include "moivre/family/member_table.h"
-
 #include <algorithm>
 
 #include "moivre/expression/counted.h"
+#include "moivre/family/members.h"
 #include "moivre/numeric/invalid_input.h"
 
 namespace moivre {

@@ -9,9 +9,9 @@
 
 #include "certified_members.h"
 #include "moivre/expression/counted.h"
-#include "moivre/family/member.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/threads.h"
+#include "moivre/tracker/session.h"
 #include "observed_members.h"
 
 namespace moivre {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A family from one pair: to a generic member, round loops, and the verdict of the trace test.
-#include "moivre/family/monodromy.h"
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>

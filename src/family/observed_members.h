@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "moivre/family/members.h"
+#include "moivre/homotopy/homotopy.h"
 
 namespace moivre {
 

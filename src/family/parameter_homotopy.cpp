@@ -9,7 +9,7 @@
 #include "loops.h"
 #include "moivre/expression/counted.h"
 #include "moivre/family/learn.h"
-#include "moivre/family/member.h"
+#include "moivre/family/members.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/threads.h"
 #include "root_set.h"

@@ -5,6 +5,7 @@
 #include <array>
 
 #include "loops.h"
+#include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre {

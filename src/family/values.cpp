@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Values of parameters, typed on the command line or in a table.
-#include "moivre/family/values.h"
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -9,6 +7,7 @@
 #include "moivre/expression/expression.h"
 #include "moivre/expression/joined.h"
 #include "moivre/expression/words.h"
+#include "moivre/family/members.h"
 #include "moivre/numeric/invalid_input.h"
 
 namespace moivre {

@@ -9,6 +9,7 @@
 #include "known_motions.h"
 #include "linear_values.h"
 #include "moivre/formulation/block_structure.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/phi.h"
 #include "moivre/polynomial/value.h"
 #include "shared_pins.h"

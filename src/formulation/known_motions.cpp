@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "moivre/mechanism/driven_joint.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/numeric/invalid_input.h"
 
 namespace moivre {

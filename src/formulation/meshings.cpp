@@ -6,6 +6,7 @@
 #include <iterator>
 #include <map>
 
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/numeric/rational.h"
 
 namespace moivre {

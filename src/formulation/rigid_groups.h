@@ -30,6 +30,7 @@
 
 #include "exact_pose.h"
 #include "moivre/formulation/pose_reading.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/mechanism.h"
 
 namespace moivre {

@@ -8,6 +8,7 @@
 
 #include "moivre/kinematics/null_space.h"
 #include "moivre/kinematics/own_units.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 
 namespace moivre {

@@ -9,6 +9,7 @@
 #include "faults.h"
 #include "joint_lengths.h"
 #include "moivre/expression/counted.h"
+#include "moivre/mechanism/joint_type.h"
 #include "read_parts.h"
 
 namespace moivre {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "moivre/expression/joined.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/numeric/invalid_input.h"
 #include "read_parts.h"
 

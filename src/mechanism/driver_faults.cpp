@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "faults.h"
+#include "moivre/mechanism/joint_type.h"
 
 namespace moivre {
 namespace {

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "faults.h"
+#include "moivre/mechanism/jet.h"
 #include "moivre/numeric/invalid_input.h"
 
 namespace moivre {

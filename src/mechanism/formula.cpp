@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "moivre/mechanism/gradient.h"
+#include "moivre/mechanism/jet.h"
 #include "moivre/mechanism/nearest.h"
 #include "refusals.h"
 

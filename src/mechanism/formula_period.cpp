@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "moivre/mechanism/formula.h"
+#include "moivre/mechanism/jet.h"
 
 namespace moivre {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "moivre/mechanism/drawn_pose.h"
 #include "moivre/mechanism/driven_joint.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/mechanism.h"
 #include "moivre/mechanism/rules.h"
 #include "spatial_pose.h"

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "faults.h"
+#include "moivre/mechanism/joint_type.h"
 
 namespace moivre {
 namespace {

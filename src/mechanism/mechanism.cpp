@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/rules.h"
 #include "moivre/numeric/invalid_input.h"
 

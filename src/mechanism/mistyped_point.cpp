@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "moivre/mechanism/joint_type.h"
 #include "read_parts.h"
 
 namespace moivre {

@@ -16,6 +16,7 @@
 #include <numeric>
 
 #include "dimension_jets.h"
+#include "moivre/mechanism/joint_type.h"
 #include "planar_pose.h"
 
 namespace moivre {

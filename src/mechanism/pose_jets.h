@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "dimension_jets.h"
+#include "moivre/mechanism/joint_type.h"
 #include "planar_pose.h"
 #include "spatial_pose.h"
 

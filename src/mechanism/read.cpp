@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/nearest.h"
 #include "read_parts.h"
 #include "toml_advice.h"

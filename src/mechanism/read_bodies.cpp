@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "faults.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/nearest.h"
 #include "read_parts.h"
 #include "read_tolerances.h"

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "moivre/mechanism/dimensions.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/nearest.h"
 #include "read_formula.h"
 #include "read_parts.h"

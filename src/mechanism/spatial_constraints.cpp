@@ -25,6 +25,7 @@
 #include <stdexcept>
 
 #include "dimension_jets.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/spins.h"
 #include "spatial_pose.h"
 

@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 
 namespace moivre {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "moivre/mechanism/jet.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/numeric/quintic.h"
 #include "moivre/numeric/zero_between.h"

@@ -10,6 +10,7 @@
 #include "moivre/closures/drawn_closure.h"
 #include "moivre/closures/idle_joints.h"
 #include "moivre/closures/same_pose.h"
+#include "moivre/closures/sub_chains.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/motion/circuits.h"
 #include "moivre/numeric/stopwatch.h"

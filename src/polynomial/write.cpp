@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Writing a system as text that reads back as the same system.
 // Exact coefficients and the order of variables are kept.
-#include "moivre/polynomial/write.h"
-
 #include <algorithm>
 
 #include "moivre/expression/expression.h"
@@ -10,6 +8,7 @@
 #include "moivre/numeric/integer.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/double_range.h"
+#include "moivre/polynomial/read.h"
 #include "read_formats.h"
 
 namespace moivre {

@@ -7,6 +7,7 @@
 
 #include "moivre/polynomial/eliminate.h"
 #include "moivre/polynomial/scale.h"
+#include "moivre/start/choose_start.h"
 
 namespace moivre {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "moivre/polynomial/write.h"
+#include "moivre/polynomial/read.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/solve_report.h"
 #include "moivre/report/text_pieces.h"

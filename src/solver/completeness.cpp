@@ -13,6 +13,7 @@
 #include "exact_roots.h"
 #include "judge.h"
 #include "moivre/expression/counted.h"
+#include "moivre/start/choose_start.h"
 #include "moivre/start/mixed_volume.h"
 #include "moivre/start/polyhedral.h"
 #include "moivre/start/strata.h"

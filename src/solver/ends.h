@@ -8,6 +8,7 @@
 //   otherwise    it shows no root in this precision: who followed the path says what that means
 #pragma once
 
+#include "moivre/endgame/endgame.h"
 #include "run.h"
 
 namespace moivre {

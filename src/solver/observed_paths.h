@@ -7,6 +7,7 @@
 // each sees is what it saw. An end that a stop cut short was not observed.
 #pragma once
 
+#include "moivre/endgame/endgame.h"
 #include "moivre/numeric/observations.h"
 #include "path_pool.h"
 

@@ -18,6 +18,7 @@
 #include <optional>
 #include <vector>
 
+#include "moivre/endgame/endgame.h"
 #include "moivre/solver/solve.h"
 #include "moivre/start/start_plan.h"
 

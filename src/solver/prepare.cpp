@@ -9,6 +9,7 @@
 
 #include "moivre/expression/counted.h"
 #include "moivre/numeric/invalid_input.h"
+#include "moivre/start/choose_start.h"
 
 namespace moivre {
 namespace {

@@ -11,6 +11,7 @@
 
 #include "moivre/polynomial/eliminate.h"
 #include "moivre/polynomial/scale.h"
+#include "moivre/solver/given_start.h"
 #include "moivre/solver/solve.h"
 #include "moivre/start/start_plan.h"
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "effort.h"
+#include "moivre/endgame/endgame.h"
 #include "moivre/polynomial/quotient_ring.h"
 #include "path_table.h"
 #include "point_hash.h"

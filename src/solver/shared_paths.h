@@ -12,6 +12,7 @@
 
 #include <map>
 
+#include "moivre/endgame/endgame.h"
 #include "observed_paths.h"
 
 namespace moivre {

@@ -12,6 +12,7 @@
 #include <string>
 #include <string_view>
 
+#include "moivre/numeric/observations.h"
 #include "moivre/sweep/sweep.h"
 
 namespace moivre {

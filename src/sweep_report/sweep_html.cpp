@@ -21,6 +21,7 @@
 #include "moivre/expression/counted.h"
 #include "moivre/mechanism/closure_id.h"
 #include "moivre/mechanism/dimensions.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/markup.h"
 #include "moivre/sweep_report/sweep_report.h"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The table of CVODE's options.
-#include "moivre/tracker/cvode_options.h"
+#include "moivre/tracker/option_table.h"
+#include "moivre/tracker/tracker_options.h"
 
 namespace moivre {
 

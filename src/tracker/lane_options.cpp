@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The table of the lanes' options.
-#include "moivre/tracker/lane_options.h"
+#include "moivre/tracker/option_table.h"
+#include "moivre/tracker/tracker_options.h"
 
 namespace moivre {
 

@@ -4,6 +4,8 @@
 
 #include <exception>
 
+#include "moivre/tracker/session.h"
+
 namespace moivre {
 
 StepCount& StepCount::operator+=(const StepCount& other) {

@@ -14,6 +14,8 @@
 
 #include "cvode_memory.h"
 #include "moivre/numeric/invalid_input.h"
+#include "moivre/tracker/option_table.h"
+#include "moivre/tracker/session.h"
 
 namespace moivre {
 namespace {

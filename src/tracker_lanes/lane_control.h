@@ -22,6 +22,7 @@
 #include <optional>
 #include <span>
 
+#include "moivre/tracker/session.h"
 #include "moivre/tracker/tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 

@@ -19,6 +19,7 @@
 #include "lane_control.h"
 #include "lane_newton.h"
 #include "lane_step-inl.h"
+#include "moivre/tracker/session.h"
 #include "moivre/tracker/tracker.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -50,6 +50,7 @@ HWY_AFTER_NAMESPACE();
 #include <algorithm>
 
 #include "moivre/numeric/invalid_input.h"
+#include "moivre/tracker/option_table.h"
 
 namespace moivre {
 namespace {

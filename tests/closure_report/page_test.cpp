@@ -9,8 +9,8 @@
 #include <regex>
 
 #include "mechanisms.h"
+#include "moivre/closure_report/closure_report.h"
 #include "moivre/closure_report/motion_report.h"
-#include "moivre/closure_report/picture.h"
 #include "moivre/mechanism/pose.h"
 #include "well_formed.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Is the picture of all closures complete, legible and well-formed, for every mechanism of
 // problems/mechanisms?
-#include "moivre/closure_report/picture.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 
 #include "labels.h"
 #include "mechanisms.h"
+#include "moivre/closure_report/closure_report.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 #include "panels.h"
 #include "well_formed.h"

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "moivre/kinematics/newton.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/numeric/random.h"
 
 namespace moivre::test {

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "linkage_sketch.h"
+#include "moivre/mechanism/joint_type.h"
 
 namespace moivre::test {
 

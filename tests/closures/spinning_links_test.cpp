@@ -8,6 +8,7 @@
 #include <string>
 
 #include "mechanisms.h"
+#include "moivre/mechanism/pose.h"
 
 namespace moivre {
 namespace {

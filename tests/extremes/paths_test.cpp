@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "moivre/polynomial/read.h"
+#include "moivre/tracker/session.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 

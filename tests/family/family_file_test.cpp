@@ -11,7 +11,6 @@
 
 #include "families.h"
 #include "moivre/family/coefficients.h"
-#include "moivre/family/member.h"
 #include "moivre/family/members.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "families.h"
-#include "moivre/family/member.h"
+#include "moivre/family/members.h"
 #include "moivre/polynomial/digits.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"

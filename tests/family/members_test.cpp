@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 
 #include "families.h"
-#include "moivre/family/member.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // From one root to all: published counts by loops, and the trace test true with all roots, false
 // without one.
-#include "moivre/family/monodromy.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,7 +8,8 @@
 #include "families.h"
 #include "family_problems.h"
 #include "loop_problems.h"
-#include "moivre/family/values.h"
+#include "moivre/family/learn.h"
+#include "moivre/family/members.h"
 #include "moivre/polynomial/value.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Values of parameters as people type them, and every fault in them named.
-#include "moivre/family/values.h"
-
 #include <gtest/gtest.h>
 
 #include "families.h"
 #include "moivre/family/coefficients.h"
+#include "moivre/family/members.h"
 
 namespace moivre {
 namespace {

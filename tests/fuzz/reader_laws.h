@@ -10,7 +10,6 @@
 #include <string>
 
 #include "moivre/polynomial/read.h"
-#include "moivre/polynomial/write.h"
 
 namespace moivre {
 

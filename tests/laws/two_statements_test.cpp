@@ -8,6 +8,7 @@
 
 #include "../mechanism/files.h"
 #include "moivre/closures/closures.h"
+#include "moivre/formulation/formulation.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/tracker_lanes/lane_tracker.h"

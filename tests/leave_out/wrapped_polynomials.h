@@ -7,6 +7,7 @@
 
 #include "counted_calls.h"
 #include "moivre/closures/closures.h"
+#include "moivre/formulation/formulation.h"
 
 namespace moivre::test {
 

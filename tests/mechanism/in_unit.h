@@ -5,6 +5,7 @@
 
 #include <variant>
 
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/mechanism.h"
 
 namespace moivre::test {

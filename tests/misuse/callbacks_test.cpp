@@ -6,7 +6,6 @@
 #include "moivre/arms/arm_closures.h"
 #include "moivre/family/learn.h"
 #include "moivre/family/members.h"
-#include "moivre/family/monodromy.h"
 #include "moivre/mechanism/dimensions.h"
 #include "moivre/mechanism/read.h"
 #include "moivre/motion/motion.h"

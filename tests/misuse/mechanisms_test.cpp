@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "moivre/closures/closures.h"
+#include "moivre/formulation/formulation.h"
 #include "moivre/kinematics/linear.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/kinematics/newton.h"

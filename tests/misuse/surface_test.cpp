@@ -7,7 +7,7 @@
 #include "moivre/arms/pose_table.h"
 #include "moivre/closures/closures.h"
 #include "moivre/family/learn.h"
-#include "moivre/family/member_table.h"
+#include "moivre/family/members.h"
 #include "moivre/family/parameter_homotopy.h"
 #include "moivre/kinematics/own_newton.h"
 #include "moivre/mechanism/builder.h"

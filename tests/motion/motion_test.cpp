@@ -14,6 +14,7 @@
 #include "../mechanism/in_unit.h"
 #include "gap.h"
 #include "mechanisms.h"
+#include "moivre/tracker/session.h"
 
 namespace moivre {
 namespace {

@@ -11,7 +11,7 @@
 #include "moivre/numeric/integer.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/digits.h"
-#include "moivre/polynomial/write.h"
+#include "moivre/polynomial/read.h"
 #include "read_support.h"
 
 namespace moivre {

@@ -8,7 +8,6 @@
 #include "build.h"
 #include "moivre/polynomial/digits.h"
 #include "moivre/polynomial/read.h"
-#include "moivre/polynomial/write.h"
 
 namespace moivre {
 namespace {

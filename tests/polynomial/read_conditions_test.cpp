@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Are inequalities among the equations read as conditions, and refused where they cannot be meant?
 #include "build.h"
-#include "moivre/polynomial/write.h"
+#include "moivre/polynomial/read.h"
 #include "read_support.h"
 
 namespace moivre {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Does a system come back from both text formats exactly, whatever its coefficients and its order
 // of variables?
-#include "moivre/polynomial/write.h"
-
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
 #include "moivre/numeric/integer.h"
+#include "moivre/polynomial/read.h"
 #include "read_support.h"
 
 namespace moivre {

@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "moivre/tracker/session.h"
 #include "problem_set.h"
 
 namespace moivre {

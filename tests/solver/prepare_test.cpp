@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "moivre/polynomial/read.h"
+#include "moivre/tracker/path_system.h"
 #include "problem_set.h"
 
 namespace moivre {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "moivre/polynomial/read.h"
+#include "moivre/tracker/session.h"
 #include "moivre/tracker/tracker.h"
 
 namespace moivre::test {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "moivre/polynomial/read.h"
+#include "moivre/tracker/session.h"
 
 namespace moivre {
 namespace {

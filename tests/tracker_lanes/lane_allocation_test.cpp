@@ -9,6 +9,7 @@
 
 #include "moivre/polynomial/read.h"
 #include "moivre/start/total_degree.h"
+#include "moivre/tracker/session.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 namespace {

@@ -18,27 +18,30 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "moivre/numeric/exact_displacement.h"
-#include "moivre/urdf/choice.h"
 #include "moivre/urdf/robot.h"
 
 namespace moivre {
 
+/// A displacement of integers (exact_motion.h); make_arm() makes it.
+struct ExactMotion;
+using ExactPointer = std::shared_ptr<const ExactMotion>;
+
 struct ArmJoint {
   std::string name;
   bool is_slide = false;
-  std::optional<Limits> limits;                                    ///< none: it turns without end
-  Eigen::Isometry3d before = Eigen::Isometry3d::Identity();        ///< B_i
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();                 ///< a_i, unit
-  ExactDisplacement exact_before = ExactDisplacement::identity();  ///< B_i
+  std::optional<Limits> limits;                              ///< none: it turns without end
+  Eigen::Isometry3d before = Eigen::Isometry3d::Identity();  ///< B_i
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();           ///< a_i, unit
+  ExactPointer exact_before;                                 ///< B_i
   /// J_i = c + s step, up to a factor: s/c = tan(x_i/2) / exact_length of a turn, 1 / exact_length
   /// of a slide.
-  ExactDisplacement step;
+  ExactPointer step;
   double exact_length = 1;  ///< of the axis as typed
 };
 
@@ -46,7 +49,7 @@ struct Arm {
   std::string robot, base, tip;
   std::vector<ArmJoint> joints;
   Eigen::Isometry3d tool = Eigen::Isometry3d::Identity();  ///< T
-  ExactDisplacement exact_tool = ExactDisplacement::identity();
+  ExactPointer exact_tool;                                 ///< T
   std::vector<HeldJoint> held;
   double length = 1;  ///< of the arm stretched out; 1 where it has none
   /// By how much the tip may stand elsewhere since the file's numbers are rounded: radians, and
@@ -72,5 +75,8 @@ std::vector<Eigen::Isometry3d> joint_frames(const Arm& arm, const Eigen::VectorX
 
 /// Where the tip is.
 Eigen::Isometry3d forward_kinematics(const Arm& arm, const Eigen::VectorXd& values);
+
+/// Every broken rule as a sentence; empty where none is. Of an arm that make_arm() made none is.
+std::vector<std::string> broken_rules(const Arm& arm);
 
 }  // namespace moivre

@@ -8,14 +8,10 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "moivre/arms/arm.h"
 
 namespace moivre {
-
-/// Sentences; empty where none is broken. Of an arm that make_arm() made none is.
-std::vector<std::string> broken_rules(const Arm& arm);
 
 /// Throws InvalidInput where an arm breaks a rule.
 void require_unbroken(const Arm& arm);

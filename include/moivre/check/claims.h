@@ -19,7 +19,6 @@
 
 #include "moivre/expression/source.h"
 #include "moivre/numeric/complex.h"
-#include "moivre/numeric/decimal.h"
 
 namespace moivre {
 

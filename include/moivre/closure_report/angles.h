@@ -5,14 +5,9 @@
 
 #include <string>
 
-#include "moivre/mechanism/mechanism.h"
+#include "moivre/closure_report/closure_report.h"
 
 namespace moivre {
-
-struct AngleForm {
-  bool in_degrees = false;  ///< else radians
-  bool goes_on = false;     ///< along a branch beyond half a turn, else in (-pi, pi]
-};
 
 /// "deg" or "rad".
 std::string unit_of(const AngleForm& form);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How is a motion reported? As text for people, as JSON and CSV for programs.
+// How is a motion reported? As text and a picture for people, as JSON and CSV for programs.
 //
 //   text  branches, where they begin and end, events with the drivers' values, whether the
 //         checkpoints agree
@@ -7,13 +7,16 @@
 //         coordinate and named point
 //   CSV   one sample per line: branch, t, drivers, then for each coordinate and each point's x, y
 //         (z) the value, velocity and acceleration
+//   SVG   the curves of points over the mechanism's first pose, one colour per branch, where
+//         branches begin and end, a legend. The points: those without a joint, else those of bodies
+//         that no joint holds to the ground.
 // Angles are in radians in (-pi, pi] unless an AngleForm says otherwise, their rates per second and
 // per second squared. Lengths are in the file's unit. The text is in the file's units.
 #pragma once
 
 #include <string>
 
-#include "moivre/closure_report/angles.h"
+#include "moivre/closure_report/closure_report.h"
 #include "moivre/motion/motion.h"
 #include "moivre/report/text_sink.h"
 
@@ -34,5 +37,8 @@ std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
                         const Readings* readings = nullptr);
 std::string motion_csv(const MotionResult& result, const Mechanism& mechanism,
                        const AngleForm& form = {});
+/// Curves of points; for typed equations, which have none, each unknown over the time.
+std::string motion_svg(const MotionResult& result, const Mechanism& mechanism,
+                       const std::string& file);
 
 }  // namespace moivre

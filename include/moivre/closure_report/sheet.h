@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "moivre/closure_report/closure_report.h"
 #include "moivre/closure_report/drawing.h"
 
 namespace moivre {
@@ -20,11 +21,6 @@ struct Panel {
   Eigen::VectorXd q;
   bool is_faint = false;                ///< no closure
   std::vector<std::string> notes = {};  ///< below the caption
-};
-
-enum class Views {
-  standing,  ///< one, by the sheet's view
-  three  ///< from the front (x right, z up), from the right (y right, z up), from above (x right, y up)
 };
 
 struct Sheet {

@@ -31,9 +31,8 @@
 #include <string>
 #include <vector>
 
-#include "moivre/closures/sub_chains.h"
-#include "moivre/formulation/formulation.h"
 #include "moivre/kinematics/mobility.h"
+#include "moivre/mechanism/mechanism.h"
 #include "moivre/solver/solve.h"
 
 namespace moivre {
@@ -103,6 +102,14 @@ struct IdleJoint {
   std::string body;   ///< that moves alone, with everything that hangs on it
   std::string joint;  ///< across which it moves, by name
   std::string held;   ///< how it is held, a clause
+};
+
+/// A part that shares with the others only what the drivers place (sub_chains.h).
+struct IndependentChain {
+  Mechanism mechanism;  ///< its bodies behind the placed ones' places, in the order of the whole
+  std::vector<std::string> bodies;  ///< its own, without the placed ones
+  std::vector<Eigen::Index>
+      coordinates;  ///< of each of its coordinates: which of the whole's it is
 };
 
 /// One of several independent sub-chains, solved on its own.

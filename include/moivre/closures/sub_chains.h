@@ -14,20 +14,11 @@
 // Not supported: typed equations; they are not taken apart.
 #pragma once
 
-#include <Eigen/Core>
-#include <string>
 #include <vector>
 
-#include "moivre/mechanism/mechanism.h"
+#include "moivre/closures/closures.h"
 
 namespace moivre {
-
-struct IndependentChain {
-  Mechanism mechanism;  ///< its bodies behind the placed ones' places, in the order of the whole
-  std::vector<std::string> bodies;  ///< its own, without the placed ones
-  std::vector<Eigen::Index>
-      coordinates;  ///< of each of its coordinates: which of the whole's it is
-};
 
 /// Two or more, or none.
 std::vector<IndependentChain> independent_chains(const Mechanism& mechanism);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// By which numbers is the end of a path judged? All of them, and where each comes from.
+// By which numbers is the end of a path judged, and why may it stay open? All numbers, and where
+// each comes from.
 //
 // docs/algorithms/end-of-path.md shows the decisions that they stand in. No verdict hangs on the
 // exact value of any:
@@ -67,5 +68,28 @@ struct EndParameters {
 
 /// Every broken rule as a sentence; empty when the numbers can be used.
 std::vector<std::string> validate(const EndParameters& ends);
+
+struct EndgameOptions {
+  /// The path is followed towards t = 1 as far as it leads before circles are tried: useful with
+  /// many digits.
+  bool goes_straight = false;
+  bool only_regular = false;  ///< an end that is not regular is a failure: no circle is tried
+  /// So many within the creeping radius tell creeping from a step that chanced to end there.
+  int creeping_steps = 3;
+  bool may_wait = false;   ///< for other paths of its cycle, after the first turn
+  bool goes_back = false;  ///< from an end that circles have told: PathEnd::sheet
+  EndParameters ends;
+};
+
+/// Why a path failed.
+enum class Failure {
+  step_limit,      ///< the budget of steps was used up
+  step_too_small,  ///< the path could not be followed any further, far from t = 1
+  precision,       ///< the endgame's estimates do not agree in this precision
+  bad_start,       ///< Newton does not converge from the start point
+  cancelled,       ///< the run was interrupted
+  jumped           ///< its end belongs to another path, and tracking it again did not help
+};
+std::string to_string(Failure failure);
 
 }  // namespace moivre

@@ -39,37 +39,15 @@
 #include <vector>
 
 #include "moivre/endgame/end_parameters.h"
-#include "moivre/tracker/tracker.h"
+#include "moivre/tracker/session.h"
 
 namespace moivre {
 
 enum class PathStatus { finite, at_infinity, failed };
 std::string to_string(PathStatus status);
 
-/// Why a path failed.
-enum class Failure {
-  step_limit,      ///< the budget of steps was used up
-  step_too_small,  ///< the path could not be followed any further, far from t = 1
-  precision,       ///< the endgame's estimates do not agree in this precision
-  bad_start,       ///< Newton does not converge from the start point
-  cancelled,       ///< the run was interrupted
-  jumped           ///< its end belongs to another path, and tracking it again did not help
-};
-std::string to_string(Failure failure);
 /// Why a path failed if its last segment ended like this before its end.
 Failure to_failure(SegmentStatus status);
-
-struct EndgameOptions {
-  /// The path is followed towards t = 1 as far as it leads before circles are tried: useful with
-  /// many digits.
-  bool goes_straight = false;
-  bool only_regular = false;  ///< an end that is not regular is a failure: no circle is tried
-  /// So many within the creeping radius tell creeping from a step that chanced to end there.
-  int creeping_steps = 3;
-  bool may_wait = false;   ///< for other paths of its cycle, after the first turn
-  bool goes_back = false;  ///< from an end that circles have told: PathEnd::sheet
-  EndParameters ends;
-};
 
 /// Where a path stands that has no regular end, so that it can be taken up again.
 struct EndgameStart {

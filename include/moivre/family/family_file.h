@@ -29,7 +29,7 @@ struct FamilyFile {
   friend bool operator==(const FamilyFile&, const FamilyFile&) = default;
 };
 
-/// Throws std::invalid_argument where a name cannot be written (polynomial/write.h).
+/// Throws std::invalid_argument where a name cannot be written (polynomial/read.h).
 std::string family_text(const FamilyFile& file);
 
 /// Throws std::invalid_argument with the reason.

@@ -14,7 +14,6 @@
 #include <vector>
 
 #include "moivre/expression/expression.h"
-#include "moivre/mechanism/jet.h"
 
 namespace moivre {
 

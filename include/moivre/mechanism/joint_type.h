@@ -25,33 +25,11 @@
 // formulation.
 #pragma once
 
-#include <string>
 #include <vector>
 
+#include "moivre/mechanism/mechanism.h"
+
 namespace moivre {
-
-enum class Space { planar, spatial };
-
-enum class JointType {
-  revolute,
-  prismatic,
-  slot,  ///< planar
-  weld,
-  rod,
-  actuator,  ///< a cylinder: a rod whose length is its slide
-  gear,      ///< planar; two bodies turn in an integer ratio as seen from a carrier
-  belt,      ///< planar; likewise, by the radii of two pulleys
-  rack,      ///< planar; the second body's pitch circle rolls along a line of the first
-  cam,  ///< planar; the second body slides along a line of a carrier, by the angle of the first
-  cam_lever,  ///< planar; the second body turns, likewise
-  spherical,
-  cylindrical,
-  universal,
-  screw,
-  planar,
-  point_on_line,
-  point_on_plane
-};
 
 enum class JointPlace {
   anywhere,
@@ -112,7 +90,5 @@ bool is_angular(JointType type);
 
 /// Directions that the type reads in space: one in each of so many bodies.
 int axis_count(JointType type);
-
-std::string to_string(JointType type);
 
 }  // namespace moivre

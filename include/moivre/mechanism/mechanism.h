@@ -22,9 +22,34 @@
 
 #include "moivre/expression/expression.h"
 #include "moivre/mechanism/driver_law.h"
-#include "moivre/mechanism/joint_type.h"
 
 namespace moivre {
+
+enum class Space { planar, spatial };
+
+/// joint_type.h says what each is.
+enum class JointType {
+  revolute,
+  prismatic,
+  slot,  ///< planar
+  weld,
+  rod,
+  actuator,  ///< a cylinder: a rod whose length is its slide
+  gear,      ///< planar; two bodies turn in an integer ratio as seen from a carrier
+  belt,      ///< planar; likewise, by the radii of two pulleys
+  rack,      ///< planar; the second body's pitch circle rolls along a line of the first
+  cam,  ///< planar; the second body slides along a line of a carrier, by the angle of the first
+  cam_lever,  ///< planar; the second body turns, likewise
+  spherical,
+  cylindrical,
+  universal,
+  screw,
+  planar,
+  point_on_line,
+  point_on_plane
+};
+
+std::string to_string(JointType type);
 
 /// What the file's numbers were written in; `angle` is "rad" or "deg".
 struct Units {

@@ -21,7 +21,6 @@
 #include <vector>
 
 #include "moivre/numeric/complex.h"
-#include "moivre/numeric/decimal.h"
 #include "moivre/numeric/double_double.h"
 #include "moivre/polynomial/system.h"
 

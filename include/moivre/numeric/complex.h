@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How are complex numbers multiplied in inner loops? By the textbook product, in which a NaN stays
-// a NaN.
+// How are complex numbers held, and multiplied in inner loops? By the textbook product, in which a
+// NaN stays a NaN.
 //
 // std::complex's operator* looks for NaN after every product (C99 Annex G) and costs several times
 // as much.
@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <string>
 #include <vector>
 
 namespace moivre {
@@ -18,6 +19,15 @@ namespace moivre {
 using Complex = std::complex<double>;
 /// A point of C^n.
 using Point = std::vector<Complex>;
+
+/// A number whose digits are beyond any machine number, as plain text: each part as "-1.2345e-7" or
+/// "12.345"; every digit that stands there is right; "0" where none is known.
+struct ComplexDecimal {
+  std::string re;
+  std::string im;
+
+  friend bool operator==(const ComplexDecimal&, const ComplexDecimal&) = default;
+};
 
 inline Complex product(const Complex& a, const Complex& b) {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which system does this file hold? Readers of PHCpack's, Bertini's, msolve's and
-// HomotopyContinuation.jl's text, told apart by content.
+// Which system does this file hold, and how is one written down again? Readers of PHCpack's,
+// Bertini's, msolve's and HomotopyContinuation.jl's text, told apart by content.
 //
 // PHCpack: an optional count line `n` or `n m`, polynomials ended by `;`, `i`/`I` the imaginary
 // unit, `^` or `**`, text behind the last polynomial (TITLE, THE SOLUTIONS, ...) ignored. The
@@ -15,6 +15,10 @@
 // msolve: a line of names with commas, the characteristic 0, polynomials with commas between.
 // HomotopyContinuation.jl: @var, assignments, System([...], variables=[...], parameters=[...]);
 // other statements of Julia are passed over.
+//
+// Written are PHCpack's and Bertini's text. Reading it back gives the same System: coefficients are
+// written exactly, as they were typed, and so that the variables come in their order. Groups stand
+// in Bertini's text alone.
 //
 // All as people write them: divisions by polynomials and negative exponents (System::denominators
 // keeps what is cleared), functions and roots of numbers (sqrt(2), 2^(1/3), cos(0.3)), 2x. Beside
@@ -33,8 +37,7 @@
 
 namespace moivre {
 
-/// msolve's and HomotopyContinuation.jl's are read, not written (polynomial/write.h writes
-/// PHCpack's instead).
+/// msolve's and HomotopyContinuation.jl's are read, not written: PHCpack's is written instead.
 enum class PolynomialFormat { phcpack, bertini, msolve, julia };
 
 /// What the content looks like; never throws.
@@ -61,5 +64,9 @@ struct ParametricSystem {
 
 /// Throws as read_system(). `constants`: names that stay names where the file gives them a value.
 ParametricSystem read_parametric(const Source& source, const std::vector<std::string>& constants);
+
+/// Throws std::invalid_argument when there is nothing to write, a variable's name has a meaning of
+/// its own in the format, or (Bertini) the variables do not come group by group.
+std::string to_text(const System& f, PolynomialFormat format);
 
 }  // namespace moivre

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "moivre/solver/solve.h"
+#include "moivre/start/mixed_cells.h"
 
 namespace moivre {
 

@@ -12,6 +12,7 @@
 
 #include <string>
 
+#include "moivre/solver/given_start.h"
 #include "moivre/solver/solve.h"
 
 namespace moivre {

@@ -28,18 +28,16 @@
 #include <string>
 #include <vector>
 
-#include "moivre/endgame/endgame.h"
-#include "moivre/numeric/decimal.h"
-#include "moivre/numeric/observations.h"
+#include "moivre/endgame/end_parameters.h"
+#include "moivre/numeric/complex.h"
 #include "moivre/polynomial/coordinate_planes.h"
-#include "moivre/polynomial/eliminate.h"
-#include "moivre/polynomial/scale.h"
 #include "moivre/polynomial/system.h"
-#include "moivre/start/choose_start.h"
-#include "moivre/start/start_plan.h"
+#include "moivre/start/start_kind.h"
 #include "moivre/tracker/tracker.h"
 
 namespace moivre {
+
+class Observations;
 
 struct Progress {
   std::uint64_t done = 0;
@@ -302,22 +300,5 @@ struct SolveResult {
 /// is in doubt.
 SolveResult solve(const System& f, const Tracker& tracker, const SolveOptions& options = {},
                   const std::atomic<bool>& stop = std::atomic<bool>{false});
-
-/// A start that the caller has made, from a family's roots for example.
-struct GivenStart {
-  StartPlan plan;  ///< to scale(f, scaling), but for the rows' sizes; its points are in those units
-  Scaling scaling;                          ///< of f, or of reduction.system
-  std::optional<Reduction> reduction = {};  ///< of f, where the plan leads to its system; square
-  std::string why;                          ///< where the start comes from
-  std::optional<MetBound> bound = {};       ///< proved: f has no more isolated roots than that
-  /// A path leads to every isolated root; if not, and no count tells, the result is not complete.
-  bool is_complete = true;
-  bool leaves_out = false;  ///< roots that are not wanted: exact algebra would count them
-};
-
-/// As solve(), by that start. f: square, without homogeneous groups.
-SolveResult solve_from(const System& f, GivenStart start, const Tracker& tracker,
-                       const SolveOptions& options = {},
-                       const std::atomic<bool>& stop = std::atomic<bool>{false});
 
 }  // namespace moivre

@@ -19,6 +19,7 @@
 // bound is met. A system without a path (solved or refuted by elimination) is refused.
 #pragma once
 
+#include "moivre/endgame/endgame.h"
 #include "moivre/solver/solve.h"
 
 namespace moivre {

@@ -26,26 +26,10 @@
 #include <functional>
 
 #include "moivre/start/mixed_cells.h"
+#include "moivre/start/start_kind.h"
 #include "moivre/start/start_plan.h"
 
 namespace moivre {
-
-enum class StartKind { automatic, total_degree, multihomogeneous, polyhedral };
-/// "auto", "total-degree", "multihomogeneous", "polyhedral".
-std::string to_string(StartKind kind);
-std::optional<StartKind> start_kind(const std::string& name);
-
-/// A number of paths, or why there is none.
-struct StartCount {
-  std::optional<std::uint64_t> paths;
-  std::string missing;  ///< the reason, where paths is nullopt
-};
-
-struct StartCounts {
-  StartCount total_degree;
-  StartCount multihomogeneous;
-  StartCount mixed_volume;  ///< with 0 added
-};
 
 struct StartChoiceOptions {
   StartKind kind = StartKind::automatic;

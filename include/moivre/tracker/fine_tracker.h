@@ -38,6 +38,7 @@
 #include "moivre/numeric/log_ratio.h"
 #include "moivre/tracker/fine_path_system.h"
 #include "moivre/tracker/hermite_predictor.h"
+#include "moivre/tracker/session.h"
 #include "moivre/tracker/tracker.h"
 
 namespace moivre {

@@ -6,6 +6,7 @@
 // follows from them and from the file that they come from.
 #pragma once
 
+#include "moivre/homotopy/homotopy.h"
 #include "moivre/numeric/fingerprint.h"
 #include "moivre/tracker/tracker.h"
 

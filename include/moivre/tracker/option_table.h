@@ -15,7 +15,8 @@
 #include <stdexcept>
 
 #include "moivre/numeric/invalid_input.h"
-#include "moivre/tracker/options_in_force.h"
+#include "moivre/tracker/tracker.h"
+#include "moivre/tracker/tracker_options.h"
 
 namespace moivre {
 
@@ -43,6 +44,9 @@ struct OptionRow {
 
 template <class Options>
 using OptionTable = std::vector<OptionRow<Options>>;
+
+const OptionTable<CvodeOptions>& cvode_table();
+const OptionTable<LaneOptions>& lane_table();
 
 /// "--method x: the methods are a, b and c", or why there is no x.
 std::string refusal_of_word(const OptionFacts& facts, const std::string& word);

@@ -18,12 +18,12 @@
 // Source: [ShubSmale93] for the patch, [Timme21, sec. 2] for the norm.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <span>
 
 #include "moivre/factorization/lu.h"
 #include "moivre/homotopy/evaluator.h"
+#include "moivre/tracker/tracker.h"
 
 namespace moivre {
 
@@ -32,20 +32,6 @@ inline constexpr double kRelativeFloor = 1e-5;
 
 /// max_i |v_i| / max(|x_i|, kRelativeFloor |x|_inf); NaN where v or x is.
 double weighted_norm(std::span<const Complex> v, std::span<const Complex> x);
-
-/// What was evaluated and factored.
-struct WorkCount {
-  std::uint64_t values = 0;          ///< H alone
-  std::uint64_t fine_values = 0;     ///< H alone, in double-double
-  std::uint64_t linearizations = 0;  ///< H, H_x, H_t
-  std::uint64_t factorizations = 0;
-
-  WorkCount& operator+=(const WorkCount& other);
-  friend WorkCount operator-(const WorkCount& a, const WorkCount& b) {
-    return {a.values - b.values, a.fine_values - b.fine_values, a.linearizations - b.linearizations,
-            a.factorizations - b.factorizations};
-  }
-};
 
 struct CorrectorOptions {
   double tolerance = 1e-9;  ///< |dx|_w at which the point counts as on the path

@@ -26,8 +26,8 @@
 
 #include <memory>
 
-#include "moivre/tracker/cvode_options.h"
 #include "moivre/tracker/tracker.h"
+#include "moivre/tracker/tracker_options.h"
 
 namespace moivre {
 

@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "moivre/tracker/lane_options.h"
 #include "moivre/tracker/tracker.h"
+#include "moivre/tracker/tracker_options.h"
 
 namespace moivre {
 

@@ -15,12 +15,6 @@
 
 namespace moivre {
 
-struct HeldJoint {
-  std::string name;
-  double value = 0;               ///< radians, or metres
-  bool is_beyond_limits = false;  ///< of an arm's: it is held there all the same
-};
-
 /// The names, and "..." where they are too many for a message.
 std::string listed_names(std::vector<std::string> names);
 

@@ -66,6 +66,13 @@ struct Robot {
   std::size_t root = 0;
 };
 
+/// A joint that stands at a value (urdf/choice.h).
+struct HeldJoint {
+  std::string name;
+  double value = 0;               ///< radians, or metres
+  bool is_beyond_limits = false;  ///< of an arm's: it is held there all the same
+};
+
 /// Every broken rule as a sentence, empty where there is none: joints make one tree of the links,
 /// names are given and differ, numbers can be worked with, axes of moving joints are not zero, no
 /// joint mimics itself. What a reader makes breaks none.

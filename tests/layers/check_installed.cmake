@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: MIT
+# Are the headers that are installed from the tree ROOT those that moivre/moivre.h names, and few? Prints each breach and fails if any.
+#
+# Run as: cmake -D ROOT=<tree> -P check_installed.cmake. Three rules (docs/decisions/0100-what-is-installed.md):
+#   1. a header that moivre.h names is there, once, and includes only such as it names too;
+#   2. so is every header that docs/library.md names, and every one that a program of examples/ includes;
+#   3. they are 60 at most, moivre.h among them.
+# With PREFIX, the prefix of an installation: what lies in its folder of headers is these, but for modules that were left out, and no other.
+cmake_minimum_required(VERSION 3.25)
+include(${ROOT}/cmake/installed_headers.cmake)
+set(most 60)
+
+moivre_installed_headers(${ROOT} named)
+set(breaches 0)
+macro(breach message)
+  message("${message}")
+  math(EXPR breaches "${breaches} + 1")
+endmacro()
+
+set(unique ${named})
+list(REMOVE_DUPLICATES unique)
+list(LENGTH named count)
+if(NOT unique STREQUAL named)
+  breach("moivre.h names a header twice")
+endif()
+if(count GREATER most)
+  breach("${count} headers are installed, more than ${most}")
+endif()
+foreach(header IN LISTS named)
+  if(NOT EXISTS ${ROOT}/include/${header})
+    breach("${header}: named by moivre.h, and not there")
+    continue()
+  endif()
+  file(STRINGS ${ROOT}/include/${header} lines REGEX "^[ \t]*#[ \t]*include[ \t]*\"")
+  list(TRANSFORM lines REPLACE "^[^\"]*\"([^\"]*)\".*" "\\1")
+  foreach(included IN LISTS lines)
+    if(NOT included IN_LIST named)
+      breach("${header}: includes ${included}, which moivre.h does not name")
+    endif()
+  endforeach()
+endforeach()
+
+file(GLOB shown ${ROOT}/docs/library.md ${ROOT}/examples/*.cpp)
+foreach(file IN LISTS shown)
+  file(STRINGS ${file} lines REGEX "moivre/.*\\.h")
+  string(REGEX MATCHALL "moivre/[a-z_/]+\\.h" headers "${lines}")
+  foreach(header IN LISTS headers)
+    if(NOT header IN_LIST named)
+      file(RELATIVE_PATH where ${ROOT} ${file})
+      breach("${where}: shows ${header}, which moivre.h does not name")
+    endif()
+  endforeach()
+endforeach()
+
+if(DEFINED PREFIX)
+  file(GLOB_RECURSE laid_down RELATIVE ${PREFIX}/include ${PREFIX}/include/*)
+  foreach(header IN LISTS laid_down)
+    if(NOT header IN_LIST named)
+      breach("${header}: laid down, and not named by moivre.h")
+    endif()
+  endforeach()
+  foreach(header IN LISTS named)
+    cmake_path(GET header PARENT_PATH folder)
+    cmake_path(GET folder FILENAME module)
+    if(NOT header IN_LIST laid_down AND NOT module IN_LIST LEFT_OUT)
+      breach("${header}: named by moivre.h, and not laid down")
+    endif()
+  endforeach()
+endif()
+
+if(breaches)
+  message(FATAL_ERROR "${breaches} breaches of what is installed")
+endif()
