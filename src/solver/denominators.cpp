@@ -18,8 +18,7 @@ namespace {
 /// How far the value may be from zero by rounding and by the root's error, as if every factor of
 /// every term were off by it.
 bool is_zero_at(const Polynomial& d, const Solution& root) {
-  constexpr double kOperations = 8;
-  constexpr double kUnit = 0x1p-53;
+  constexpr double kRoundingOfValue = 8 * 0x1p-53;  // of eight operations a factor
   const double of_root = root.accuracy * std::max(1.0, max_norm(root.x));
   double moved = 0;
   for (const Term& term : d.terms) {
@@ -32,7 +31,7 @@ bool is_zero_at(const Polynomial& d, const Solution& root) {
     }
   }
   const double rounding =
-      kOperations * kUnit * static_cast<double>(degree(d) + 1) * term_size(d, root.x);
+      kRoundingOfValue * static_cast<double>(degree(d) + 1) * term_size(d, root.x);
   return std::abs(value_at(d, root.x)) <= rounding + 2 * of_root * moved;
 }
 

@@ -16,8 +16,6 @@
 namespace moivre {
 namespace {
 
-// So many bits at first, then twice as many where roots are nearer than these part.
-constexpr int kFirstBits = 256;
 // What was seen of a path's end is no farther from its root, relative to max(1, |x|_inf).
 constexpr double kFarthestEnd = 0.1;
 
@@ -70,7 +68,8 @@ std::optional<std::vector<ProvedPlace>> places_of(const Setting& setting,
 std::optional<std::vector<ProvedPlace>> proved_places(const Run& run) {
   const Setting& setting = run.setting;
   const System& f = setting.prepared.reduction.system;
-  for (int bits = kFirstBits; bits <= kMostArbBits && !setting.stop; bits *= 2) {
+  // Twice as many where roots are nearer than these part.
+  for (int bits = kMostProofBits; bits <= kMostArbBits && !setting.stop; bits *= 2) {
     const auto isolated = isolated_roots(f.polynomials.front(), bits);
     if (!isolated) continue;
     if (isolated->other_simple > 0 && proved_roots(run) < isolated->other_simple) {

@@ -16,9 +16,7 @@
 namespace moivre {
 namespace {
 
-// Most need as many as the first; beside infinity, where the leading terms nearly vanish, it takes
-// more, and beside another root twice as many as part the two. Sums of doubles hold no more.
-constexpr int kFirstProofBits = 256;
+// Sums of doubles hold no more.
 constexpr int kBitsOfPlace = 1024;
 
 /// Of (1, x) and (1, y), by angle: roots of any size are compared. In [0, 1].
@@ -42,7 +40,9 @@ std::vector<ProvedPlace> simple_places(const Setting& setting,
     if (point.exponent > 1) continue;
     Place place = place_of(setting.prepared.reduction, point.x);
     Certificate certificate;
-    for (int bits = kFirstProofBits; !certificate.holds_root() && bits <= kMostArbBits; bits *= 2) {
+    // Most need as many as the first; beside infinity, where the leading terms nearly vanish, it
+    // takes more, and beside another root twice as many as part the two.
+    for (int bits = kMostProofBits; !certificate.holds_root() && bits <= kMostArbBits; bits *= 2) {
       certificate = certifier.certify_near(place.x, place.finer, bits);
     }
     if (!certificate.holds_root()) continue;

@@ -18,6 +18,10 @@ constexpr std::uint64_t kSeed = 1;
 // Points are known to this, relative, where they are compared.
 constexpr double kHashTolerance = 1e-7;
 
+// Of a point that is not compared.
+constexpr Complex kNone{std::numeric_limits<double>::quiet_NaN(),
+                        std::numeric_limits<double>::quiet_NaN()};
+
 }  // namespace
 
 double tolerance_at(Complex hash) { return kHashTolerance * std::max(1.0, std::abs(hash)); }
@@ -35,14 +39,12 @@ Complex hash_of(const Point& x) {
 void PointHashes::set(std::uint64_t path, Complex hash) {
   // A coordinate is 0: such points are not told apart.
   if (!std::isfinite(hash.real()) || !std::isfinite(hash.imag())) return forget(path);
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  if (path >= hashes_.size()) hashes_.resize(path + 1, Complex(kNone, kNone));
+  if (path >= hashes_.size()) hashes_.resize(path + 1, kNone);
   hashes_[path] = hash;
 }
 
 void PointHashes::forget(std::uint64_t path) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  if (path < hashes_.size()) hashes_[path] = Complex(kNone, kNone);
+  if (path < hashes_.size()) hashes_[path] = kNone;
 }
 
 std::vector<std::uint64_t> PointHashes::shared() const {

@@ -227,13 +227,4 @@ std::vector<double> natural_sizes(const Prepared& prepared) {
   return sizes;
 }
 
-Point to_homogeneous(const Prepared& prepared, const Point& x) {
-  Point z = kept_of(prepared.reduction, x);
-  for (std::size_t j = 0; j < z.size(); ++j) {
-    const int e = -prepared.scaling.variable_log2[j];
-    z[j] = {std::ldexp(z[j].real(), e), std::ldexp(z[j].imag(), e)};
-  }
-  return prepared.plan->last().chart().homogeneous(z);
-}
-
 }  // namespace moivre

@@ -53,7 +53,4 @@ Point to_original(const Prepared& prepared, const Point& homogeneous);
 /// Natural size of each original unknown: 2^v of a kept one, 1 of an eliminated one.
 std::vector<double> natural_sizes(const Prepared& prepared);
 
-/// The homogeneous point, z_0 = 1, of a point of the original system.
-Point to_homogeneous(const Prepared& prepared, const Point& x);
-
 }  // namespace moivre

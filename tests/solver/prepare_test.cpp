@@ -34,6 +34,16 @@ Prepared prepared_from(const System& f, SolveOptions options = {}) {
   return prepare(f, options, std::atomic<bool>{false});
 }
 
+/// With z_0 = 1.
+Point to_homogeneous(const Prepared& prepared, const Point& x) {
+  Point z = kept_of(prepared.reduction, x);
+  for (std::size_t j = 0; j < z.size(); ++j) {
+    const int e = -prepared.scaling.variable_log2[j];
+    z[j] = {std::ldexp(z[j].real(), e), std::ldexp(z[j].imag(), e)};
+  }
+  return prepared.plan->last().chart().homogeneous(z);
+}
+
 TEST(Prepare, MapsAPointOfTheSystemThereAndBack) {
   const Prepared prepared = prepared_from(badly_scaled());
   ASSERT_TRUE(prepared.plan);
