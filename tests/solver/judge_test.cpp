@@ -19,6 +19,9 @@
 namespace moivre {
 namespace {
 
+using test::read;
+using test::with_seed;
+
 using Groups = test::GroupLists;
 
 /// Ends that were seen of paths of (x - 1)^2 (x - 2) (x - 3) = 0, given by hand.
