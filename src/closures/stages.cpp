@@ -83,9 +83,11 @@ bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>&
 
 class Stages {
  public:
-  Stages(const Formulation& formulation, const Tracker& tracker, const SolveOptions& options,
-         const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun)
+  Stages(const Formulation& formulation, const std::vector<Block>& blocks, const Tracker& tracker,
+         const SolveOptions& options, const std::atomic<bool>& stop, RootProver& prover,
+         PartialRoot begun)
       : formulation_(formulation),
+        blocks_(blocks),
         tracker_(tracker),
         options_(options),
         stop_(stop),
@@ -94,6 +96,12 @@ class Stages {
     run_.roots.push_back(std::move(begun));
   }
 
+  StageRun run() && {
+    for (const Block& block : blocks_) solve_block(block);
+    return std::move(*this).take();
+  }
+
+ private:
   void solve_block(const Block& block) {
     if (run_.roots.empty()) return;
     if (LoneEquation::is_one(formulation_.system, block)) return solve_lone(block);
@@ -143,7 +151,6 @@ class Stages {
     return std::move(run_);
   }
 
- private:
   /// Whether the theorem speaks of this block, which then is the first.
   bool is_of_theorem(const Block& block) const {
     const auto& theorem = formulation_.theorem;
@@ -216,6 +223,32 @@ class Stages {
       if (root.condition >= kUndetermined) run_.is_proved = false;
       run_.excluded[exclusion->reason] += root.multiplicity;
       return true;
+    }
+    return false;
+  }
+
+  /// Whether all unknowns of a block's lone equation are known above the root, but its own.
+  bool is_lone_above(const PartialRoot& root, const Block& block) const {
+    if (!LoneEquation::is_one(formulation_.system, block)) return false;
+    const auto& terms = formulation_.system.polynomials[block.equations.front()].terms;
+    return std::all_of(terms.begin(), terms.end(), [&](const Term& term) {
+      return std::all_of(term.monomial.begin(), term.monomial.end(), [&](const Power& power) {
+        return power.variable == block.variables.front() || root.value[power.variable];
+      });
+    });
+  }
+
+  /// Whether a point on a set of the block's roots is no pose: as the block's unknowns say, or one
+  /// that a linear equation of a later block gives alone. A dyad's half angles and slides come
+  /// after its coordinates.
+  bool is_excluded_from_sets(PartialRoot point, const Block& block) {
+    if (is_excluded(point, block)) return true;
+    for (const Block& later : blocks_) {
+      if (point.value[later.variables.front()] || !is_lone_above(point, later)) continue;
+      const KnownValue x = LoneEquation(formulation_.system, later).above(point).x;
+      if (!x) continue;
+      point.value[later.variables.front()] = x;
+      if (is_excluded(point, later)) return true;
     }
     return false;
   }
@@ -351,7 +384,7 @@ class Stages {
                                   Reduction::Verdict::dependent;
     const bool has_set =
         std::any_of(result.on_sets.begin(), result.on_sets.end(), [&](const Solution& on_set) {
-          return !is_excluded(child_of(root, block, on_set, values_of(on_set)), block);
+          return !is_excluded_from_sets(child_of(root, block, on_set, values_of(on_set)), block);
         });
     if (is_dependent || has_set) note_set(root);
   }
@@ -406,6 +439,7 @@ class Stages {
   }
 
   const Formulation& formulation_;
+  const std::vector<Block>& blocks_;
   const Tracker& tracker_;
   const SolveOptions& options_;
   const std::atomic<bool>& stop_;
@@ -463,9 +497,7 @@ void add_solving(const SolveTime& part, SolveTime& sum) {
 StageRun solve_blocks(const Formulation& formulation, const std::vector<Block>& blocks,
                       const Tracker& tracker, const SolveOptions& options,
                       const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun) {
-  Stages stages(formulation, tracker, options, stop, prover, std::move(begun));
-  for (const Block& block : blocks) stages.solve_block(block);
-  return std::move(stages).take();
+  return Stages(formulation, blocks, tracker, options, stop, prover, std::move(begun)).run();
 }
 
 }  // namespace moivre

@@ -178,6 +178,53 @@ start = 0.4
   EXPECT_GE(closures_of(mechanism).counts.fitted, 1U);
 }
 
+// A dyad's coordinates, which are solved first, have a set of roots at which its slide is infinitely
+// long: no closures.
+TEST(OverconstrainedClosures, HobsonsCouplingOfOneBentRodHasTwo) {
+  const Mechanism mechanism = mechanism_text(R"toml(space = "spatial"
+[ground.points]
+A = [3, 0, 0]
+D = [0, 3, 0]
+[body.in.points]
+A = [3, 0, 0]
+B = [2, 0.6, 0.8]
+[body.rod.points]
+B = [1.5, 0.6, 0.8]
+C = [0.6, 2, 0.8]
+[body.out.points]
+C = [0.6, 1.5, 0.8]
+D = [0, 3, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.A", "in.A"]
+axis = [1, 0, 0]
+name = "in"
+[[joint]]
+type = "cylindrical"
+at = ["in.B", "rod.B"]
+axis = [1, 0, 0]
+[[joint]]
+type = "cylindrical"
+at = ["rod.C", "out.C"]
+axis = [0, 1, 0]
+[[joint]]
+type = "revolute"
+at = ["out.D", "ground.D"]
+axis = [0, 1, 0]
+[[driver]]
+angle = "in"
+start = 0
+velocity = 0.5
+)toml");
+  for (const double time : {0.0, 0.3}) {
+    const ClosureResult result = closures_of(mechanism, 1, time);
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_FALSE(result.moves);
+    EXPECT_EQ(result.counts.complex, 2U) << time;
+    EXPECT_EQ(result.closures.size(), 2U) << time;
+  }
+}
+
 TEST(OverconstrainedClosures, SphericalFourBarHasTwoWhereverItStands) {
   for (const double shift : {0.0, 0.3, 50.7, 1e4}) {
     Mechanism mechanism = mechanism_file("spherical-four-bar");
