@@ -104,6 +104,10 @@ void leave_out_link_of_balls(RigidGroups& groups, std::size_t group, std::size_t
   groups.left_out.emplace_back(name, "between three spherical joints it is three distances");
 }
 
+bool is_hinge(const Tie& tie) {
+  return tie.place == JointPlace::at_point && tie.turn == JointTurn::about_axis;
+}
+
 /// A shift along the frame's z axis.
 ExactPose moved_along(const ExactPose& frame, double length) {
   return frame * ExactPose{{1, 0, 0, 0}, {0, 0, 0, Rational(length) * Rational(1, 2)}};
@@ -115,9 +119,6 @@ void leave_out_cone(RigidGroups& groups, std::size_t group) {
   constexpr double kMeet = 1e-11;
   std::vector<Tie> ties = ties_towards(groups, group);
   if (ties.size() != 2 || ties[0].i == ties[1].i) return;
-  const auto is_hinge = [](const Tie& tie) {
-    return tie.place == JointPlace::at_point && tie.turn == JointTurn::about_axis;
-  };
   if (!is_hinge(ties[0]) || !is_hinge(ties[1])) return;
   const Axis a = axis_of(ties[0].at_j);
   const Axis b = axis_of(ties[1].at_j);
@@ -212,6 +213,51 @@ void leave_out_strut(RigidGroups& groups, std::size_t group) {
                   "postures");
 }
 
+/// Whether both axes of a link are parallel, and apart.
+bool are_parallel_and_apart(const ExactPose& one, const ExactPose& other) {
+  constexpr double kParallel = 1e-11;
+  // Nearer, the link's turn moves its far hinge by less than half the digits tell.
+  constexpr double kApart = 1e-9;
+  const Axis a = axis_of(one);
+  const Axis b = axis_of(other);
+  const Vector3d arm = b.at - a.at;
+  return a.along.cross(b.along).norm() <= kParallel &&
+         arm.cross(a.along).norm() > kApart * std::max({arm.norm(), a.at.norm(), b.at.norm()});
+}
+
+void leave_out_leg(RigidGroups& groups, std::size_t group) {
+  const auto is_link = [&](std::size_t link) {
+    const std::vector<Tie> ties = ties_towards(groups, link);
+    return link != 0 && !is_driven(groups, link) && ties.size() == 2 && is_hinge(ties[0]) &&
+           is_hinge(ties[1]) && are_parallel_and_apart(ties[0].at_j, ties[1].at_j);
+  };
+  if (!is_link(group)) return;
+  std::vector<Tie> ties = ties_towards(groups, group);
+  if (!is_link(ties[1].i)) std::swap(ties[0], ties[1]);
+  const std::size_t next = ties[1].i;
+  if (!is_link(next)) return;
+  const std::vector<Tie> of_next = ties_towards(groups, next);
+  const Tie& last = of_next[0].i == group ? of_next[1] : of_next[0];
+  const PlanarLeg leg{ties[0], reversed(ties[1]), last};
+  if (leg.first.i == leg.last.i || leg.first.i == next || leg.last.i == group) return;
+  remove_ties(groups, group);
+  remove_ties(groups, next);
+  Tie plane;
+  plane.place = JointPlace::in_plane;
+  plane.turn = JointTurn::about_axis;
+  plane.name = groups.names[group];
+  plane.i = leg.first.i;
+  plane.j = leg.last.i;
+  plane.at_i = leg.first.at_i;
+  plane.at_j = leg.last.at_i * conjugate(conjugate(leg.first.at_j) * leg.middle.at_i *
+                                         conjugate(leg.middle.at_j) * leg.last.at_j);
+  groups.ties.push_back(std::move(plane));
+  groups.left_out.emplace_back(
+      groups.names[group] + " and " + groups.names[next],
+      "between three parallel hinges they are one planar joint, in two postures");
+  groups.legs.push_back(leg);
+}
+
 }  // namespace
 
 // Rods first: three distances to a point of a link that a distance may replace would leave its turn
@@ -234,6 +280,12 @@ void leave_out_cones(RigidGroups& groups, const std::vector<std::size_t>& among)
 void leave_out_struts(RigidGroups& groups, const std::vector<std::size_t>& among) {
   for (const std::size_t group : among) {
     if (!groups.is_left_out[group] && !is_driven(groups, group)) leave_out_strut(groups, group);
+  }
+}
+
+void leave_out_legs(RigidGroups& groups, const std::vector<std::size_t>& among) {
+  for (const std::size_t group : among) {
+    if (!groups.is_left_out[group]) leave_out_leg(groups, group);
   }
 }
 

@@ -22,6 +22,8 @@
 //     spherical                                   a rod
 //     universal, with axes of the strut that are parallel and across its length    a rod, and two
 //     lines that meet
+//   a leg, two groups between three revolute joints whose axes are parallel, in a mechanism of
+//   several loops    a planar joint
 #pragma once
 
 #include <cstddef>
@@ -75,6 +77,11 @@ struct Strut {
   Tie ball;   ///< the other, of which the point counts
 };
 
+/// Its outer ties are seen from the groups it joins, the middle one from the first link.
+struct PlanarLeg {
+  Tie first, middle, last;
+};
+
 struct RigidGroups {
   std::vector<std::string> names;                ///< of each group: its first body; 0 the ground
   std::vector<std::vector<std::string>> bodies;  ///< of each group
@@ -83,8 +90,9 @@ struct RigidGroups {
   std::vector<Tie> ties;
   std::vector<DrivenPoint> driven_points;
   std::vector<bool> is_left_out;              ///< of each group: a link that became a tie
-  std::vector<PoseReading::Placement> links;  ///< of these, but for struts
+  std::vector<PoseReading::Placement> links;  ///< of these, but for struts and legs
   std::vector<Strut> struts;
+  std::vector<PlanarLeg> legs;
   std::vector<std::string> contradictions;  ///< as in Formulation
   std::vector<std::pair<std::string, std::string>> left_out;
 };
@@ -98,5 +106,7 @@ void leave_out_rods(RigidGroups& groups);
 void leave_out_cones(RigidGroups& groups, const std::vector<std::size_t>& among);
 /// Replaces struts of `among` by rods and meetings.
 void leave_out_struts(RigidGroups& groups, const std::vector<std::size_t>& among);
+/// Replaces legs that begin with a link of `among` by planar joints.
+void leave_out_legs(RigidGroups& groups, const std::vector<std::size_t>& among);
 
 }  // namespace moivre

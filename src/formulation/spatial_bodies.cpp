@@ -49,6 +49,7 @@ void leave_out_links(RigidGroups& groups) {
   }
   leave_out_cones(groups, in_trees);
   leave_out_struts(groups, in_trees);
+  leave_out_legs(groups, in_trees);
 }
 
 /// Whether all joints' frames are typed points, none of them turned.

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "planar_legs.h"
 #include "struts.h"
 
 namespace moivre {
@@ -37,6 +38,12 @@ class Tree {
       const std::size_t k = strut.ball.i;
       if (nodes_.count(i) == 0 || nodes_.count(k) == 0) continue;
       add_postures(frame_, groups_, strut, relative(i, k));
+    }
+    for (const PlanarLeg& leg : groups_.legs) {
+      const std::size_t i = leg.first.i;
+      const std::size_t k = leg.last.i;
+      if (nodes_.count(i) == 0 || nodes_.count(k) == 0) continue;
+      add_postures(frame_, groups_, leg, relative(i, k));
     }
   }
 

@@ -5,19 +5,10 @@
 #include <algorithm>
 
 #include "moivre/formulation/exact.h"
+#include "turned_places.h"
 
 namespace moivre {
 namespace {
-
-/// Where a frame's origin is: 2 g conj(q) / |q|^2, its first number 0.
-struct Place {
-  Quaternion<Polynomial> numerator;
-  Polynomial denominator;
-};
-
-Place place_of(const MovingPose& pose) {
-  return {scaled(real_constant(2), product(pose.g, conjugate(pose.q))), dot(pose.q, pose.q)};
-}
 
 /// Of the group at the strut's other end, in the frame of the cross's first axis.
 MovingPose end_of(const Strut& strut, const MovingPose& k_in_i) {
@@ -33,19 +24,6 @@ MovingPose start_of(const Strut& strut) {
 Quaternion<Polynomial> direction_of(const MovingPose& pose) {
   const Quaternion<Polynomial> k = to_moving(ExactPose{{0, 0, 0, 1}, {}}).q;
   return product(product(pose.q, k), conjugate(pose.q));
-}
-
-/// Holds where the turn brings `from`, at the same height as `to`, to it.
-void add_turn_equation(SpatialFrame& frame, const std::string& name, const MovingPose& turn,
-                       const Place& from, const Place& to) {
-  const Quaternion<Polynomial> w = scaled(to.denominator, from.numerator);
-  const Quaternion<Polynomial> b = scaled(from.denominator, to.numerator);
-  const Polynomial& c = turn.q[0];
-  const Polynomial& s = turn.q[3];
-  const Polynomial x = c * (w[1] - b[1]) - s * (w[2] + b[2]);
-  const Polynomial y = c * (w[2] - b[2]) + s * (w[1] + b[1]);
-  frame.add_equation(name + ": turn", real_constant(frame.random_number()) * x +
-                                          real_constant(frame.random_number()) * y);
 }
 
 /// Places the strut by two turns.

@@ -6,9 +6,7 @@
 // the frame of that joint's first axis a = k, w(t2) is the place of B before the first turn and b
 // its true place:
 //   w_z(t2) = b_z                              quadratic in t2: the two postures
-//   c (w - b) + s k x (w + b) = 0, x and y     the first turn c + s k brings w to b: linear in t1.
-//                                              One is a multiple of the other, so that a random sum
-//                                              of both says all
+//   the first turn brings w to b               linear in t1 (turned_places.h)
 // Where B has a universal joint too, the strut's axis across AB, turned to n(t1), is normal to a
 // and to the axis of the other group: these two lines meet. The line k moved by x + eps y has the
 // direction c = x k conj(x) and the moment x k conj(y) + y k conj(x)

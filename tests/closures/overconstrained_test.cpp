@@ -178,8 +178,8 @@ start = 0.4
   EXPECT_GE(closures_of(mechanism).counts.fitted, 1U);
 }
 
-// A dyad's coordinates, which are solved first, have a set of roots at which its slide is infinitely
-// long: no closures.
+// A dyad's coordinates, which are solved first, have a set of roots at which its slide is
+// infinitely long: no closures.
 TEST(OverconstrainedClosures, HobsonsCouplingOfOneBentRodHasTwo) {
   const Mechanism mechanism = mechanism_text(R"toml(space = "spatial"
 [ground.points]

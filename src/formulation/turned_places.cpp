@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Both places over one denominator.
+#include "turned_places.h"
+
+namespace moivre {
+
+Place place_of(const MovingPose& pose) {
+  return {scaled(real_constant(2), product(pose.g, conjugate(pose.q))), dot(pose.q, pose.q)};
+}
+
+void add_turn_equation(SpatialFrame& frame, const std::string& name, const MovingPose& turn,
+                       const Place& from, const Place& to) {
+  const Quaternion<Polynomial> w = scaled(to.denominator, from.numerator);
+  const Quaternion<Polynomial> b = scaled(from.denominator, to.numerator);
+  const Polynomial& c = turn.q[0];
+  const Polynomial& s = turn.q[3];
+  const Polynomial x = c * (w[1] - b[1]) - s * (w[2] + b[2]);
+  const Polynomial y = c * (w[2] - b[2]) + s * (w[1] + b[1]);
+  // Numbers in 64ths alone make nothing of round lengths by chance: a posture had any first turn.
+  Rational share = frame.random_number();
+  for (int k = 0; k < 2; ++k) share *= frame.random_number();
+  frame.add_equation(name + ": turn",
+                     real_constant(share) * x + real_constant(frame.random_number()) * y);
+}
+
+}  // namespace moivre

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Which turn about the z axis brings one point to another? Points as numerators over |q|^2.
+//
+// w and b at one height and one distance from the axis, c + s k the turn:
+//   c (w - b) + s k x (w + b) = 0, x and y     linear in the turn's unknown. One is a multiple of
+//                                              the other, so that a random sum of both says all
+#pragma once
+
+#include <string>
+
+#include "spatial_frame.h"
+
+namespace moivre {
+
+/// Where a frame's origin is: 2 g conj(q) / |q|^2, its first number 0.
+struct Place {
+  Quaternion<Polynomial> numerator;
+  Polynomial denominator;
+};
+
+Place place_of(const MovingPose& pose);
+
+/// Adds what holds where the turn brings `from` to `to`.
+void add_turn_equation(SpatialFrame& frame, const std::string& name, const MovingPose& turn,
+                       const Place& from, const Place& to);
+
+}  // namespace moivre
