@@ -40,8 +40,8 @@ void add_postures_of_ball(SpatialFrame& frame, const std::vector<std::string>& o
   const Rational fixed_2 = frame.random_number();
   const Polynomial t2 = frame.add_turn("t2_" + cross.name, owners);
   const MovingPose second = to_moving(tilt(cross.half_tangent)) * turn_of(t2, fixed_2);
-  const Place before = place_of(second * start_of(strut));
-  const Place there = place_of(end_of(strut, k_in_i));
+  const RationalPlace before = place_of(second * start_of(strut));
+  const RationalPlace there = place_of(end_of(strut, k_in_i));
   frame.add_equation(cross.name + ": height", there.denominator * before.numerator[3] -
                                                   before.denominator * there.numerator[3]);
 

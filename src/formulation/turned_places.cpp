@@ -4,12 +4,12 @@
 
 namespace moivre {
 
-Place place_of(const MovingPose& pose) {
+RationalPlace place_of(const MovingPose& pose) {
   return {scaled(real_constant(2), product(pose.g, conjugate(pose.q))), dot(pose.q, pose.q)};
 }
 
 void add_turn_equation(SpatialFrame& frame, const std::string& name, const MovingPose& turn,
-                       const Place& from, const Place& to) {
+                       const RationalPlace& from, const RationalPlace& to) {
   const Quaternion<Polynomial> w = scaled(to.denominator, from.numerator);
   const Quaternion<Polynomial> b = scaled(from.denominator, to.numerator);
   const Polynomial& c = turn.q[0];

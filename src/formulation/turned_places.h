@@ -13,15 +13,15 @@
 namespace moivre {
 
 /// Where a frame's origin is: 2 g conj(q) / |q|^2, its first number 0.
-struct Place {
+struct RationalPlace {
   Quaternion<Polynomial> numerator;
   Polynomial denominator;
 };
 
-Place place_of(const MovingPose& pose);
+RationalPlace place_of(const MovingPose& pose);
 
 /// Adds what holds where the turn brings `from` to `to`.
 void add_turn_equation(SpatialFrame& frame, const std::string& name, const MovingPose& turn,
-                       const Place& from, const Place& to);
+                       const RationalPlace& from, const RationalPlace& to);
 
 }  // namespace moivre
