@@ -3,11 +3,15 @@
 #include "fitted_poses.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
 
 #include "closure_poses.h"
 #include "moivre/closures/same_pose.h"
 #include "moivre/factorization/svd.h"
 #include "moivre/kinematics/least_squares.h"
+#include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/mechanism/spins.h"
 #include "moving_pose.h"
@@ -25,6 +29,36 @@ constexpr std::uint64_t kMostRuns = 200;
 
 WithinFit within_fit(const ClosureSearch& search) {
   return {search.phi, search.mechanism.fit.value_or(0), search.options.time};
+}
+
+/// Half of what teeth are apart, in radians, where they are the finest.
+double half_tooth(const Mechanism& mechanism) {
+  int most = 1;
+  for (const Joint& joint : mechanism.joints) {
+    if (!is_transmission(joint.type)) continue;
+    most = std::max({most, joint.gear.teeth[0], joint.gear.teeth[1]});
+  }
+  return std::numbers::pi / most;
+}
+
+/// Whether bodies whose angle is known, or is so beside another body's, stand so: where teeth leave
+/// the way free, least squares may come to rest in another meshing than the drawn one.
+bool is_as_meshed(const ClosureSearch& search, const VectorXd& q) {
+  if (!has_gears(search.mechanism)) return true;
+  const double most = half_tooth(search.mechanism);
+  // Of each unknown direction, and of none: how far it is from the first body that has it.
+  std::map<Monomial, double> turned{{Monomial(), 0.0}};
+  const auto& readings = search.formulation.coordinates;
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    const Formulation::Reading& reading = readings[k];
+    const bool is_direction = reading.part == Formulation::Reading::Part::argument && !reading.f;
+    if (!is_direction || reading.of.terms.size() != 1) continue;
+    const Term& term = reading.of.terms.front();
+    const double beyond = q[static_cast<Eigen::Index>(k)] - std::arg(to_complex(term.coefficient));
+    const double first = turned.try_emplace(term.monomial, beyond).first->second;
+    if (std::abs(std::remainder(beyond - first, 2 * std::numbers::pi)) > most) return false;
+  }
+  return true;
 }
 
 /// Whether the pose is one of these, or hangs together with it.
@@ -66,7 +100,7 @@ bool take_fitted(ClosureSearch& search, const NewtonResult& least) {
   const std::optional<double>& fit = search.mechanism.fit;
   if (!fit || !least.q.allFinite()) return false;
   Closure closure = closure_at(search, least);
-  if (!(closure.misfit <= *fit)) return false;
+  if (!(closure.misfit <= *fit) || !is_as_meshed(search, closure.q)) return false;
   if (is_one_of(search, search.result.closures, closure.q)) return false;
   if (is_one_of(search, search.fitted_beyond_limits, closure.q)) return false;
   if (!is_allowed(search, closure.q)) {

@@ -262,5 +262,61 @@ start = 1.6106854610455656
   }
 }
 
+// A wheel pinned at its middle: where its teeth stand moves nothing else. The rods meet within fit
+// only, and least squares turned the wheel ten teeth on, to where another turn of the crank would
+// have it.
+TEST(Fit, AWheelStaysInTheDrawnMeshing) {
+  const Mechanism mechanism = mechanism_text(R"toml(
+fit = 0.0005
+[ground.points]
+P0 = [-6.0, 0.0]
+P2 = [-2.0, 0.0]
+P8 = [6.0, 0.0]
+[body.b1.points]
+P1 = [0.0, 0.0]
+P5 = [0.8084, 3.9175]
+[body.b2.points]
+P3 = [0.0, 0.0]
+[body.b3.points]
+P4 = [-1.3171, 9.9129]
+P6 = [-0.7903, 5.9477]
+P7 = [-1.5805, 11.8955]
+[[joint]]
+type = "revolute"
+at = ["ground.P0", "b1.P1"]
+[[joint]]
+type = "revolute"
+at = ["ground.P2", "b2.P3"]
+[[joint]]
+type = "gear"
+bodies = ["b1", "b2"]
+ratio = [30, 20]
+phase = 0.3315
+carrier = "ground"
+[[joint]]
+type = "rod"
+at = ["b3.P4", "b1.P5"]
+length = 2.0
+[[joint]]
+type = "rod"
+at = ["b3.P6", "b2.P3"]
+length = 2.0
+[[joint]]
+type = "rod"
+at = ["b3.P7", "ground.P8"]
+length = 12.0
+[[driver]]
+angle = "b1"
+start = -1.3673
+)toml");
+  constexpr double kWheel = 1.5 * -1.3673 + 0.3315;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ClosureResult result = closures_of(mechanism, seed);
+    EXPECT_TRUE(result.complete) << result.message;
+    ASSERT_FALSE(result.closures.empty()) << result.message;
+    for (const Closure& closure : result.closures) EXPECT_NEAR(closure.q[5], kWheel, 1e-3);
+  }
+}
+
 }  // namespace
 }  // namespace moivre
