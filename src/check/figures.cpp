@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Are the figures beside a root those of the root? Residual and condition, computed again.
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "bench.h"
 #include "moivre/factorization/lu.h"
 #include "moivre/numeric/double_double.h"
+#include "moivre/numeric/threads.h"
 #include "moivre/polynomial/scale.h"
 #include "moivre/polynomial/tape.h"
 
@@ -115,51 +117,96 @@ class Figures {
   double degree_ = 1;
 };
 
-void judge_residual(const Bench& bench, Figures& figures, std::size_t k) {
-  const RootClaim& root = bench.claims.roots[k];
-  if (!root.residual) return;
-  const double found = figures.residual(root.x);
-  double slack = kResidualRounding * found + kPointRounding * figures.degree();
-  // Imaginary parts of real roots were set to 0 behind the residual.
-  if (root.real == true) slack += figures.change(root.x, bench.entries[k].reach);
-  if (std::isnan(found + slack)) {
-    return bench.verdicts.leave_open(ClaimKind::residual, "beyond the range of double", k + 1);
-  }
-  bench.verdicts.judge(ClaimKind::residual, std::abs(*root.residual - found) <= slack,
-                       rough(*root.residual) + " is stated, " + rough(found) + " is found", k + 1);
+/// Of one root, computed again.
+struct Found {
+  double residual = 0;
+  double slack = 0;  ///< of the residual
+  double least = 0;  ///< condition, rows of size 1
+  double other = 0;  ///< condition in other units, where the least does not reach what is stated
+};
+
+bool has_condition(const Bench& bench, std::size_t k) {
+  return bench.claims.roots[k].condition && bench.entries[k].certificate.holds_root();
 }
 
-void judge_condition(const Bench& bench, Figures& figures, std::size_t k) {
+/// bases: the system of which a root's condition is told.
+Found found_of(const Bench& bench, Figures& figures, Figures& bases, std::size_t k) {
   const RootClaim& root = bench.claims.roots[k];
-  if (!root.condition || !bench.entries[k].certificate.holds_root()) return;
+  Found found;
+  if (root.residual) {
+    found.residual = figures.residual(root.x);
+    found.slack = kResidualRounding * found.residual + kPointRounding * figures.degree();
+    // Imaginary parts of real roots were set to 0 behind the residual.
+    if (root.real == true) found.slack += figures.change(root.x, bench.entries[k].reach);
+  }
+  if (!figures.is_square() || !has_condition(bench, k)) return found;
   std::vector<double> weights(root.x.size(), 1.0);
-  const double least = figures.condition(root.x, weights);
+  found.least = bases.condition(root.x, weights);
+  if (*root.condition <= kConditionFactor * found.least) return found;
   for (std::size_t j = 0; j < weights.size(); ++j) {
     if (root.x[j] != Complex(0)) weights[j] = std::abs(root.x[j]);
   }
-  const double other = figures.condition(root.x, weights);
-  if (!(least < kKnownCondition)) {
+  found.other = bases.condition(root.x, weights);
+  return found;
+}
+
+void judge_residual(const Bench& bench, const Found& found, std::size_t k) {
+  const RootClaim& root = bench.claims.roots[k];
+  if (!root.residual) return;
+  if (std::isnan(found.residual + found.slack)) {
+    return bench.verdicts.leave_open(ClaimKind::residual, "beyond the range of double", k + 1);
+  }
+  bench.verdicts.judge(
+      ClaimKind::residual, std::abs(*root.residual - found.residual) <= found.slack,
+      rough(*root.residual) + " is stated, " + rough(found.residual) + " is found", k + 1);
+}
+
+void judge_condition(const Bench& bench, const Found& found, std::size_t k) {
+  if (!has_condition(bench, k)) return;
+  const double stated = *bench.claims.roots[k].condition;
+  if (!(found.least < kKnownCondition)) {
     return bench.verdicts.leave_open(ClaimKind::condition, "too large to be found again in double",
                                      k + 1);
   }
-  if (*root.condition > kConditionFactor * std::max(least, other)) {
+  if (stated > kConditionFactor * std::max(found.least, found.other)) {
     return bench.verdicts.leave_open(ClaimKind::condition,
                                      "larger than is found, as other units may make it", k + 1);
   }
-  bench.verdicts.judge(ClaimKind::condition, *root.condition * kConditionFactor >= least,
-                       rough(*root.condition) + " is stated, " + rough(least) + " is found", k + 1);
+  bench.verdicts.judge(ClaimKind::condition, stated * kConditionFactor >= found.least,
+                       rough(stated) + " is stated, " + rough(found.least) + " is found", k + 1);
+}
+
+/// Of every root, by all threads.
+std::vector<Found> found_figures(const Bench& bench) {
+  // Fewer are computed before a thread has begun.
+  constexpr std::size_t kOfAThread = 256;
+  const Figures figures(with_rows_near_one(bench.f));
+  const Figures bases(
+      with_rows_near_one(bench.stand_in.sheets > 1 ? bench.stand_in.system : bench.f));
+  std::vector<Found> found(bench.entries.size());
+  const auto most = static_cast<std::size_t>(thread_count(0));
+  std::atomic<std::size_t> next{0};
+  on_threads(static_cast<int>(std::min(most, 1 + found.size() / kOfAThread)), [&] {
+    Figures own = figures;
+    Figures own_bases = bases;
+    for (std::size_t k = next++; k < found.size() && !bench.stop; k = next++) {
+      found[k] = found_of(bench, own, own_bases, k);
+    }
+  });
+  bench.require_time();
+  return found;
 }
 
 }  // namespace
 
 void judge_figures(const Bench& bench) {
   if (bench.is_list()) return;
-  Figures figures(with_rows_near_one(bench.f));
-  Figures of_bases(with_rows_near_one(bench.stand_in.sheets > 1 ? bench.stand_in.system : bench.f));
+  const bool is_square = bench.f.polynomials.size() == bench.f.variables.size();
+  const std::vector<Found> found = found_figures(bench);
   for (std::size_t k = 0; k < bench.entries.size(); ++k) {
     bench.require_time();
-    judge_residual(bench, figures, k);
-    if (figures.is_square()) judge_condition(bench, of_bases, k);
+    judge_residual(bench, found[k], k);
+    if (is_square) judge_condition(bench, found[k], k);
   }
 }
 
