@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "bench.h"
 #include "moivre/factorization/lu.h"
@@ -117,17 +119,13 @@ class Figures {
   double degree_ = 1;
 };
 
-/// Of one root, computed again.
+/// Of one root what is stated and can be computed again.
 struct Found {
-  double residual = 0;
-  double slack = 0;  ///< of the residual
-  double least = 0;  ///< condition, rows of size 1
+  std::optional<double> residual;
+  double slack = 0;             ///< of the residual
+  std::optional<double> least;  ///< condition, rows of size 1
   double other = 0;  ///< condition in other units, where the least does not reach what is stated
 };
-
-bool has_condition(const Bench& bench, std::size_t k) {
-  return bench.claims.roots[k].condition && bench.entries[k].certificate.holds_root();
-}
 
 /// bases: the system of which a root's condition is told.
 Found found_of(const Bench& bench, Figures& figures, Figures& bases, std::size_t k) {
@@ -135,14 +133,15 @@ Found found_of(const Bench& bench, Figures& figures, Figures& bases, std::size_t
   Found found;
   if (root.residual) {
     found.residual = figures.residual(root.x);
-    found.slack = kResidualRounding * found.residual + kPointRounding * figures.degree();
+    found.slack = kResidualRounding * *found.residual + kPointRounding * figures.degree();
     // Imaginary parts of real roots were set to 0 behind the residual.
     if (root.real == true) found.slack += figures.change(root.x, bench.entries[k].reach);
   }
-  if (!figures.is_square() || !has_condition(bench, k)) return found;
+  const bool is_proved = bench.entries[k].certificate.holds_root();
+  if (!figures.is_square() || !root.condition || !is_proved) return found;
   std::vector<double> weights(root.x.size(), 1.0);
   found.least = bases.condition(root.x, weights);
-  if (*root.condition <= kConditionFactor * found.least) return found;
+  if (*root.condition <= kConditionFactor * *found.least) return found;
   for (std::size_t j = 0; j < weights.size(); ++j) {
     if (root.x[j] != Complex(0)) weights[j] = std::abs(root.x[j]);
   }
@@ -151,29 +150,29 @@ Found found_of(const Bench& bench, Figures& figures, Figures& bases, std::size_t
 }
 
 void judge_residual(const Bench& bench, const Found& found, std::size_t k) {
-  const RootClaim& root = bench.claims.roots[k];
-  if (!root.residual) return;
-  if (std::isnan(found.residual + found.slack)) {
+  if (!found.residual) return;
+  const double stated = *bench.claims.roots[k].residual;
+  if (std::isnan(*found.residual + found.slack)) {
     return bench.verdicts.leave_open(ClaimKind::residual, "beyond the range of double", k + 1);
   }
-  bench.verdicts.judge(
-      ClaimKind::residual, std::abs(*root.residual - found.residual) <= found.slack,
-      rough(*root.residual) + " is stated, " + rough(found.residual) + " is found", k + 1);
+  bench.verdicts.judge(ClaimKind::residual, std::abs(stated - *found.residual) <= found.slack,
+                       rough(stated) + " is stated, " + rough(*found.residual) + " is found",
+                       k + 1);
 }
 
 void judge_condition(const Bench& bench, const Found& found, std::size_t k) {
-  if (!has_condition(bench, k)) return;
+  if (!found.least) return;
   const double stated = *bench.claims.roots[k].condition;
-  if (!(found.least < kKnownCondition)) {
+  if (!(*found.least < kKnownCondition)) {
     return bench.verdicts.leave_open(ClaimKind::condition, "too large to be found again in double",
                                      k + 1);
   }
-  if (stated > kConditionFactor * std::max(found.least, found.other)) {
+  if (stated > kConditionFactor * std::max(*found.least, found.other)) {
     return bench.verdicts.leave_open(ClaimKind::condition,
                                      "larger than is found, as other units may make it", k + 1);
   }
-  bench.verdicts.judge(ClaimKind::condition, stated * kConditionFactor >= found.least,
-                       rough(stated) + " is stated, " + rough(found.least) + " is found", k + 1);
+  bench.verdicts.judge(ClaimKind::condition, stated * kConditionFactor >= *found.least,
+                       rough(stated) + " is stated, " + rough(*found.least) + " is found", k + 1);
 }
 
 /// Of every root, by all threads.
@@ -201,12 +200,11 @@ std::vector<Found> found_figures(const Bench& bench) {
 
 void judge_figures(const Bench& bench) {
   if (bench.is_list()) return;
-  const bool is_square = bench.f.polynomials.size() == bench.f.variables.size();
   const std::vector<Found> found = found_figures(bench);
   for (std::size_t k = 0; k < bench.entries.size(); ++k) {
     bench.require_time();
     judge_residual(bench, found[k], k);
-    if (is_square) judge_condition(bench, found[k], k);
+    judge_condition(bench, found[k], k);
   }
 }
 
