@@ -113,23 +113,35 @@ ExactPose moved_along(const ExactPose& frame, double length) {
   return frame * ExactPose{{1, 0, 0, 0}, {0, 0, 0, Rational(length) * Rational(1, 2)}};
 }
 
+/// Where two lines meet, along each of them.
+struct Crossing {
+  double along_a, along_b;
+};
+
+/// Axes that miss each other by this part of the link's size are meant to meet, or to be across.
+constexpr double kMeet = 1e-11;
+
+std::optional<Crossing> crossing_of(const Axis& a, const Axis& b) {
+  const Vector3d normal = a.along.cross(b.along);
+  const Vector3d apart = b.at - a.at;
+  const double size = std::max(apart.norm(), std::max(a.at.norm(), b.at.norm()));
+  const double sine = normal.norm();
+  if (sine <= kMeet || std::abs(apart.dot(normal)) > kMeet * sine * size) return std::nullopt;
+  return Crossing{apart.cross(b.along).dot(normal) / (sine * sine),
+                  apart.cross(a.along).dot(normal) / (sine * sine)};
+}
+
 /// Two revolute joints whose axes meet: the point stays, and so does the angle.
 void leave_out_cone(RigidGroups& groups, std::size_t group) {
-  // Axes that miss each other by this part of the link's size are meant to meet.
-  constexpr double kMeet = 1e-11;
   std::vector<Tie> ties = ties_towards(groups, group);
   if (ties.size() != 2 || ties[0].i == ties[1].i) return;
   if (!is_hinge(ties[0]) || !is_hinge(ties[1])) return;
   const Axis a = axis_of(ties[0].at_j);
   const Axis b = axis_of(ties[1].at_j);
-  const Vector3d normal = a.along.cross(b.along);
-  const Vector3d apart = b.at - a.at;
-  const double size = std::max(apart.norm(), std::max(a.at.norm(), b.at.norm()));
-  const double sine = normal.norm();
-  if (sine <= kMeet || std::abs(apart.dot(normal)) > kMeet * sine * size) return;
-  const double along_a = apart.cross(b.along).dot(normal) / (sine * sine);
-  const double along_b = apart.cross(a.along).dot(normal) / (sine * sine);
-  for (auto [tie, along] : {std::pair(&ties[0], along_a), std::pair(&ties[1], along_b)}) {
+  const auto crossing = crossing_of(a, b);
+  if (!crossing) return;
+  for (auto [tie, along] :
+       {std::pair(&ties[0], crossing->along_a), std::pair(&ties[1], crossing->along_b)}) {
     tie->at_i = moved_along(tie->at_i, along);
     tie->at_j = moved_along(tie->at_j, along);
   }
@@ -175,15 +187,16 @@ bool is_flat(const Strut& strut) {
          strut.ball.half_tangent == 1;
 }
 
-Tie meeting_of(const Strut& strut, const std::string& name) {
+/// The lines of the outer axes meet.
+Tie meeting_of(const Tie& a, const Tie& b, const std::string& name) {
   Tie meeting;
   meeting.place = JointPlace::anywhere;
   meeting.turn = JointTurn::freely;
   meeting.name = name;
-  meeting.i = strut.cross.i;
-  meeting.j = strut.ball.i;
-  meeting.at_i = strut.cross.at_i;
-  meeting.at_j = strut.ball.at_i;
+  meeting.i = a.i;
+  meeting.j = b.i;
+  meeting.at_i = a.at_i;
+  meeting.at_j = b.at_i;
   return meeting;
 }
 
@@ -205,7 +218,7 @@ void leave_out_strut(RigidGroups& groups, std::size_t group) {
   remove_ties(groups, group);
   groups.struts.push_back(strut);
   groups.ties.push_back(rod_between(strut.cross, strut.ball, name));
-  if (!has_ball) groups.ties.push_back(meeting_of(strut, name));
+  if (!has_ball) groups.ties.push_back(meeting_of(strut.cross, strut.ball, name));
   groups.left_out.emplace_back(
       name, has_ball
                 ? "between a universal and a spherical joint it is one distance, in two postures"
@@ -225,17 +238,19 @@ bool are_parallel_and_apart(const ExactPose& one, const ExactPose& other) {
          arm.cross(a.along).norm() > kApart * std::max({arm.norm(), a.at.norm(), b.at.norm()});
 }
 
+/// Whether nothing but two parallel hinges holds a group.
+bool is_flat_link(const RigidGroups& groups, std::size_t link) {
+  const std::vector<Tie> ties = ties_towards(groups, link);
+  return link != 0 && !is_driven(groups, link) && ties.size() == 2 && is_hinge(ties[0]) &&
+         is_hinge(ties[1]) && are_parallel_and_apart(ties[0].at_j, ties[1].at_j);
+}
+
 void leave_out_leg(RigidGroups& groups, std::size_t group) {
-  const auto is_link = [&](std::size_t link) {
-    const std::vector<Tie> ties = ties_towards(groups, link);
-    return link != 0 && !is_driven(groups, link) && ties.size() == 2 && is_hinge(ties[0]) &&
-           is_hinge(ties[1]) && are_parallel_and_apart(ties[0].at_j, ties[1].at_j);
-  };
-  if (!is_link(group)) return;
+  if (!is_flat_link(groups, group)) return;
   std::vector<Tie> ties = ties_towards(groups, group);
-  if (!is_link(ties[1].i)) std::swap(ties[0], ties[1]);
+  if (!is_flat_link(groups, ties[1].i)) std::swap(ties[0], ties[1]);
   const std::size_t next = ties[1].i;
-  if (!is_link(next)) return;
+  if (!is_flat_link(groups, next)) return;
   const std::vector<Tie> of_next = ties_towards(groups, next);
   const Tie& last = of_next[0].i == group ? of_next[1] : of_next[0];
   const PlanarLeg leg{ties[0], reversed(ties[1]), last};
@@ -256,6 +271,115 @@ void leave_out_leg(RigidGroups& groups, std::size_t group) {
       groups.names[group] + " and " + groups.names[next],
       "between three parallel hinges they are one planar joint, in two postures");
   groups.legs.push_back(leg);
+}
+
+/// The three hinges of a bar or a foot: the outer one first.
+std::optional<std::vector<Tie>> outer_tie_first(const RigidGroups& groups, std::size_t group,
+                                                const std::array<std::size_t, 2>& links) {
+  std::vector<Tie> ties = ties_towards(groups, group);
+  if (ties.size() != 3 || !std::all_of(ties.begin(), ties.end(), is_hinge)) return std::nullopt;
+  const auto is_of_link = [&](const Tie& tie) { return tie.i == links[0] || tie.i == links[1]; };
+  std::stable_partition(ties.begin(), ties.end(), [&](const Tie& tie) { return !is_of_link(tie); });
+  if (is_of_link(ties[0]) || ties[1].i == ties[2].i) return std::nullopt;
+  return ties;
+}
+
+/// The four-bar whose bar is this group, and whose foot comes after it.
+std::optional<FourBarLeg> four_bar_of(const RigidGroups& groups, std::size_t group) {
+  const std::vector<Tie> ties = ties_towards(groups, group);
+  const auto other_end = [&](std::size_t link) {
+    const std::vector<Tie> of_link = ties_towards(groups, link);
+    return of_link[0].i == group ? of_link[1] : of_link[0];
+  };
+  for (std::size_t a = 0; a < ties.size(); ++a) {
+    for (std::size_t b = a + 1; b < ties.size(); ++b) {
+      const std::array links{ties[a].i, ties[b].i};
+      if (!is_flat_link(groups, links[0]) || !is_flat_link(groups, links[1])) continue;
+      const Tie tips[] = {other_end(links[0]), other_end(links[1])};
+      const std::size_t foot = tips[0].i;
+      if (tips[1].i != foot || foot == 0 || foot == group || is_driven(groups, foot)) continue;
+      const auto of_bar = outer_tie_first(groups, group, links);
+      const auto of_foot = outer_tie_first(groups, foot, links);
+      if (!of_bar || !of_foot || of_bar->front().i == of_foot->front().i) continue;
+      return FourBarLeg{
+          of_bar->front(),
+          of_foot->front(),
+          {FourBarLeg::Link{reversed(ties[a]), tips[0], {}},
+           FourBarLeg::Link{reversed(ties[b]), tips[1], {}}}};
+    }
+  }
+  return std::nullopt;
+}
+
+/// A ball joint where a link's hinge meets the line of the outer one, across it: from the group
+/// that the outer one leads to, to the link.
+std::optional<Tie> corner_of(const Tie& outer, const Tie& hinge) {
+  const Axis line = axis_of(outer.at_j);
+  const Axis normal = axis_of(hinge.at_i);
+  const auto crossing = crossing_of(line, normal);
+  if (!crossing || std::abs(line.along.dot(normal.along)) > kMeet) return std::nullopt;
+  Tie ball = outer;
+  ball.at_i = moved_along(outer.at_i, crossing->along_a);
+  ball.at_j = moved_along(hinge.at_j, crossing->along_b);
+  return ball;
+}
+
+/// Whether the far corner of a link lies in the plane that is normal to its hinges at the near one.
+bool is_in_plane(const Tie& near, const Tie& far) {
+  const Axis normal = axis_of(near.at_j);
+  const Vector3d arm = axis_of(far.at_j).at - normal.at;
+  return std::abs(arm.dot(normal.along)) <= kMeet * arm.norm();
+}
+
+/// Whether both links lay the foot's hinges the same way round.
+bool are_laid_alike(const FourBarLeg& leg) {
+  const auto along = [](const ExactPose& frame) { return axis_of(frame).along; };
+  double product = 1;
+  for (const auto& [root, tip, corner] : leg.links) {
+    product *= along(root.at_j).dot(along(tip.at_j));
+  }
+  const auto& [left, right] = leg.links;
+  product *= along(left.root.at_i).dot(along(right.root.at_i));
+  product *= along(left.tip.at_i).dot(along(right.tip.at_i));
+  return product > 0;
+}
+
+/// The rods of a four-bar whose plane holds the lines of both outer hinges; else none. Notes the far
+/// corners.
+std::vector<Tie> rods_of(const RigidGroups& groups, FourBarLeg& leg) {
+  const auto& [left, right] = leg.links;
+  if (!are_parallel_and_apart(left.root.at_i, right.root.at_i) ||
+      !are_parallel_and_apart(left.tip.at_i, right.tip.at_i) || !are_laid_alike(leg)) {
+    return {};
+  }
+  std::vector<Tie> rods;
+  for (auto& [root, tip, corner] : leg.links) {
+    const auto near = corner_of(leg.bar, root);
+    const auto far = corner_of(leg.foot, tip);
+    if (!near || !far || !is_in_plane(*near, *far)) return {};
+    rods.push_back(rod_between(*near, *far, groups.names[root.j]));
+    corner = *far;
+  }
+  return rods;
+}
+
+/// Its meeting, where it is left out.
+std::optional<Tie> leave_out_four_bar(RigidGroups& groups, std::size_t group) {
+  std::optional<FourBarLeg> leg = four_bar_of(groups, group);
+  if (!leg) return std::nullopt;
+  const std::vector<Tie> rods = rods_of(groups, *leg);
+  if (rods.empty()) return std::nullopt;
+  const auto& [left, right] = leg->links;
+  for (const std::size_t link : {leg->bar.j, leg->foot.j, left.root.j, right.root.j}) {
+    remove_ties(groups, link);
+  }
+  groups.ties.insert(groups.ties.end(), rods.begin(), rods.end());
+  groups.left_out.emplace_back(
+      groups.names[leg->bar.j] + " to " + groups.names[leg->foot.j],
+      "a four-bar in the plane of its outer hinges is two distances and two lines that meet, in two "
+      "postures");
+  groups.four_bars.push_back(*leg);
+  return meeting_of(leg->bar, leg->foot, groups.names[group]);
 }
 
 }  // namespace
@@ -281,6 +405,16 @@ void leave_out_struts(RigidGroups& groups, const std::vector<std::size_t>& among
   for (const std::size_t group : among) {
     if (!groups.is_left_out[group] && !is_driven(groups, group)) leave_out_strut(groups, group);
   }
+}
+
+// Meetings come last: six rods say all of a body, and a theorem how many poses it has.
+void leave_out_four_bars(RigidGroups& groups, const std::vector<std::size_t>& among) {
+  std::vector<Tie> meetings;
+  for (const std::size_t group : among) {
+    if (groups.is_left_out[group] || is_driven(groups, group)) continue;
+    if (const auto meeting = leave_out_four_bar(groups, group)) meetings.push_back(*meeting);
+  }
+  groups.ties.insert(groups.ties.end(), meetings.begin(), meetings.end());
 }
 
 void leave_out_legs(RigidGroups& groups, const std::vector<std::size_t>& among) {

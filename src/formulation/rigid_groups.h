@@ -24,8 +24,11 @@
 //     lines that meet
 //   a leg, two groups between three revolute joints whose axes are parallel, in a mechanism of
 //   several loops    a planar joint
+//   a four-bar, four groups in a plane that holds the lines of its two outer revolute joints, in a
+//   mechanism of several loops    two rods, between points of these lines, and two lines that meet
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -82,6 +85,18 @@ struct PlanarLeg {
   Tie first, middle, last;
 };
 
+/// A bar and a foot, joined by two links: a parallelogram, say. All ties are seen from the groups
+/// that are nearer to those it joins.
+struct FourBarLeg {
+  struct Link {
+    Tie root;    ///< from the bar
+    Tie tip;     ///< from the foot
+    Tie corner;  ///< the point of its far hinge on the line of the foot's, from the group there
+  };
+  Tie bar, foot;
+  std::array<Link, 2> links;
+};
+
 struct RigidGroups {
   std::vector<std::string> names;                ///< of each group: its first body; 0 the ground
   std::vector<std::vector<std::string>> bodies;  ///< of each group
@@ -90,9 +105,10 @@ struct RigidGroups {
   std::vector<Tie> ties;
   std::vector<DrivenPoint> driven_points;
   std::vector<bool> is_left_out;              ///< of each group: a link that became a tie
-  std::vector<PoseReading::Placement> links;  ///< of these, but for struts and legs
+  std::vector<PoseReading::Placement> links;  ///< of these, but for struts, legs and four-bars
   std::vector<Strut> struts;
   std::vector<PlanarLeg> legs;
+  std::vector<FourBarLeg> four_bars;
   std::vector<std::string> contradictions;  ///< as in Formulation
   std::vector<std::pair<std::string, std::string>> left_out;
 };
@@ -106,6 +122,8 @@ void leave_out_rods(RigidGroups& groups);
 void leave_out_cones(RigidGroups& groups, const std::vector<std::size_t>& among);
 /// Replaces struts of `among` by rods and meetings.
 void leave_out_struts(RigidGroups& groups, const std::vector<std::size_t>& among);
+/// Replaces four-bars whose bar or foot is one of `among` by rods and meetings.
+void leave_out_four_bars(RigidGroups& groups, const std::vector<std::size_t>& among);
 /// Replaces legs that begin with a link of `among` by planar joints.
 void leave_out_legs(RigidGroups& groups, const std::vector<std::size_t>& among);
 

@@ -135,12 +135,15 @@ Point on_patch(Point x, const Polynomial& patch) {
 
 }  // namespace
 
-Formulation::GeneralMember general_six_rods(RigidGroups groups, const Part& part, double length) {
-  if (part.ties.size() != kGeneralRods.size()) throw std::logic_error("a platform has six rods");
+Formulation::GeneralMember general_six_rods(RigidGroups groups, Part part, double length) {
+  if (part.ties.size() < kGeneralRods.size()) throw std::logic_error("a platform has six rods");
+  part.ties.resize(kGeneralRods.size());
   for (std::size_t k = 0; k < kGeneralRods.size(); ++k) {
     put(groups.ties[part.ties[k]], kGeneralRods[k], typed_decimal(length));
   }
   groups.struts.clear();
+  groups.legs.clear();
+  groups.four_bars.clear();
   SpatialFrame frame(length);
   add_tree(frame, groups, part);
   Formulation::GeneralMember member;

@@ -49,6 +49,7 @@ void leave_out_links(RigidGroups& groups) {
   }
   leave_out_cones(groups, in_trees);
   leave_out_struts(groups, in_trees);
+  leave_out_four_bars(groups, in_trees);
   leave_out_legs(groups, in_trees);
 }
 
@@ -74,18 +75,22 @@ void add_ground_ties(SpatialFrame& frame, const RigidGroups& groups) {
 }
 
 /// A body on six rods has 40 poses in general, and so none has more that are isolated
-/// [RongaVust95].
+/// [RongaVust95]. What else it is tied by comes behind these and is checked.
 std::optional<Formulation::Theorem> theorem_of(const RigidGroups& groups,
                                                const std::vector<Part>& parts, double length) {
   constexpr std::size_t kRods = 6;
   constexpr std::uint64_t kMostPoses = 40;
   if (parts.size() != 1 || parts.front().groups.size() != 1) return std::nullopt;
   const auto& ties = parts.front().ties;
-  const bool is_platform = ties.size() == kRods && groups.driven_points.empty() &&
-                           std::all_of(ties.begin(), ties.end(), [&](std::size_t k) {
-                             const Tie& tie = groups.ties[k];
-                             return is_rod(tie) && (tie.i == 0) != (tie.j == 0);
-                           });
+  const auto is_to_ground = [&](std::size_t k, bool (*is_kind)(const Tie&)) {
+    const Tie& tie = groups.ties[k];
+    return is_kind(tie) && (tie.i == 0) != (tie.j == 0);
+  };
+  const bool is_platform = ties.size() >= kRods && groups.driven_points.empty() &&
+                           std::all_of(ties.begin(), ties.begin() + kRods,
+                                       [&](std::size_t k) { return is_to_ground(k, is_rod); }) &&
+                           std::all_of(ties.begin() + kRods, ties.end(),
+                                       [&](std::size_t k) { return is_to_ground(k, is_loose); });
   if (!is_platform) return std::nullopt;
   return Formulation::Theorem{
       "a body on six rods", ExactPose::size(), kMostPoses,

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 
+#include "four_bars.h"
 #include "planar_legs.h"
 #include "struts.h"
 
@@ -33,21 +34,21 @@ class Tree {
     for (const DrivenPoint& driven : groups_.driven_points) {
       if (nodes_.count(driven.group) > 0 && driven.group != 0) drive(driven);
     }
-    for (const Strut& strut : groups_.struts) {
-      const std::size_t i = strut.cross.i;
-      const std::size_t k = strut.ball.i;
-      if (nodes_.count(i) == 0 || nodes_.count(k) == 0) continue;
-      add_postures(frame_, groups_, strut, relative(i, k));
-    }
-    for (const PlanarLeg& leg : groups_.legs) {
-      const std::size_t i = leg.first.i;
-      const std::size_t k = leg.last.i;
-      if (nodes_.count(i) == 0 || nodes_.count(k) == 0) continue;
-      add_postures(frame_, groups_, leg, relative(i, k));
+    for (const Strut& strut : groups_.struts) stand(strut, strut.cross.i, strut.ball.i);
+    for (const PlanarLeg& leg : groups_.legs) stand(leg, leg.first.i, leg.last.i);
+    for (const FourBarLeg& four_bar : groups_.four_bars) {
+      stand(four_bar, four_bar.bar.i, four_bar.foot.i);
     }
   }
 
  private:
+  /// The postures of links that were left out, where the groups that they join are placed here.
+  template <class Links>
+  void stand(const Links& links, std::size_t i, std::size_t k) {
+    if (nodes_.count(i) == 0 || nodes_.count(k) == 0) return;
+    add_postures(frame_, groups_, links, relative(i, k));
+  }
+
   void place_next() {
     std::optional<std::size_t> stiffest;
     std::map<std::size_t, std::size_t> loose;  // ties of groups not yet placed

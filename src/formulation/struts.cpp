@@ -20,12 +20,6 @@ MovingPose start_of(const Strut& strut) {
   return to_moving(conjugate(strut.cross.at_j) * strut.ball.at_j);
 }
 
-/// The direction of a pose's z axis, as a numerator over |q|^2.
-Quaternion<Polynomial> direction_of(const MovingPose& pose) {
-  const Quaternion<Polynomial> k = to_moving(ExactPose{{0, 0, 0, 1}, {}}).q;
-  return product(product(pose.q, k), conjugate(pose.q));
-}
-
 /// Places the strut by two turns.
 void place_strut(SpatialFrame& frame, const Tie& cross, const MovingPose& first,
                  const MovingPose& second) {
@@ -61,8 +55,8 @@ void add_postures_of_crosses(SpatialFrame& frame, const std::vector<std::string>
   const Rational length = frame.random_number() * typed_decimal(frame.length());
   const Quaternion<Polynomial> in_plane =
       sum(scaled(real_constant(frame.random_number()), place_of(end).numerator),
-          scaled(real_constant(length), direction_of(end)));
-  frame.add_equation(cross.name + ": across", dot(direction_of(first), in_plane));
+          scaled(real_constant(length), direction_of(end).numerator));
+  frame.add_equation(cross.name + ": across", dot(direction_of(first).numerator, in_plane));
 
   const Polynomial t2 = frame.add_turn("t2_" + cross.name, owners);
   const MovingPose second = turn_of(t2, frame.random_number());

@@ -8,6 +8,11 @@ RationalPlace place_of(const MovingPose& pose) {
   return {scaled(real_constant(2), product(pose.g, conjugate(pose.q))), dot(pose.q, pose.q)};
 }
 
+RationalPlace direction_of(const MovingPose& pose) {
+  const Quaternion<Polynomial> k = to_moving(ExactPose{{0, 0, 0, 1}, {}}).q;
+  return {product(product(pose.q, k), conjugate(pose.q)), dot(pose.q, pose.q)};
+}
+
 void add_turn_equation(SpatialFrame& frame, const std::string& name, const MovingPose& turn,
                        const RationalPlace& from, const RationalPlace& to) {
   const Quaternion<Polynomial> w = scaled(to.denominator, from.numerator);

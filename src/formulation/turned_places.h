@@ -12,13 +12,16 @@
 
 namespace moivre {
 
-/// Where a frame's origin is: 2 g conj(q) / |q|^2, its first number 0.
+/// Where a frame's origin is: 2 g conj(q) / |q|^2. Its first number is 0.
 struct RationalPlace {
   Quaternion<Polynomial> numerator;
   Polynomial denominator;
 };
 
 RationalPlace place_of(const MovingPose& pose);
+
+/// The direction of a frame's z axis likewise: q k conj(q) / |q|^2.
+RationalPlace direction_of(const MovingPose& pose);
 
 /// Adds what holds where the turn brings `from` to `to`.
 void add_turn_equation(SpatialFrame& frame, const std::string& name, const MovingPose& turn,

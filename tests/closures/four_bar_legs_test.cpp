@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// Is a planar four-bar between two hinges in its plane what its links say, and does it stand in
+// both its postures?
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "mechanisms.h"
+#include "spatial_counts.h"
+
+namespace moivre {
+namespace {
+
+/// A body on three rods and a leg: a bar that is hinged to the ground, a link to a foot that is
+/// hinged to the body, and `second` beside it.
+std::string on_a_four_bar(const std::string& second) {
+  return R"toml(space = "spatial"
+[ground.points]
+A = [0.1, 0, -0.2]
+R1 = [3, 0.2, -0.5]
+R2 = [-1, 2.5, 0.3]
+R3 = [-0.7, -2.2, 0.4]
+[body.top.points]
+C = [0, 0, 0.1]
+R1 = [0.7, 0.1, 0.3]
+R2 = [-0.2, 0.9, -0.4]
+R3 = [0.1, -0.6, 0.5]
+[body.bar.points]
+A = [0, 0, 0]
+L = [0.2, 0.6, 0]
+R = [-0.1, -0.5, 0]
+Q = [0, -0.5, 0]
+[body.foot.points]
+C = [0, 0, 0]
+L = [0, 0.4, 0]
+R = [0, -0.3, 0]
+[body.left.points]
+L = [0, 0, 0]
+M = [0.2, 0, 1.6]
+[[joint]]
+type = "rod"
+at = ["ground.R1", "top.R1"]
+length = 3.3
+[[joint]]
+type = "rod"
+at = ["ground.R2", "top.R2"]
+length = 3.1
+[[joint]]
+type = "rod"
+at = ["ground.R3", "top.R3"]
+length = 3.1
+[[joint]]
+type = "revolute"
+at = ["ground.A", "bar.A"]
+axis = [[0.6, 0.8, 0], [0, 1, 0]]
+[[joint]]
+type = "revolute"
+at = ["bar.L", "left.L"]
+axis = [[1, 0, 0], [-1, 0, 0]]
+[[joint]]
+type = "revolute"
+at = ["left.M", "foot.L"]
+axis = [[1, 0, 0], [1, 0, 0]]
+[[joint]]
+type = "revolute"
+at = ["foot.C", "top.C"]
+axis = [[0, 1, 0], [0, 0.28, 0.96]]
+)toml" + second;
+}
+
+// Its foot is turned over, as the other link turns it, and its hinges lie 0.1 beside the bar's line.
+const char* const kSecondLink = R"toml([body.right.points]
+R = [0, 0, 0]
+S = [0, 1.8, 0.1]
+[[joint]]
+type = "revolute"
+at = ["bar.R", "right.R"]
+axis = [[1, 0, 0], [0, 0, 1]]
+[[joint]]
+type = "revolute"
+at = ["right.S", "foot.R"]
+axis = [[0, 0, 1], [-1, 0, 0]]
+)toml";
+
+// The same where hinges keep the foot in the bar's plane.
+const char* const kRodBeside = R"toml([[joint]]
+type = "rod"
+at = ["bar.Q", "foot.R"]
+length = 1.8
+)toml";
+
+void expect_legs_closed(const Mechanism& mechanism, const ClosureResult& result) {
+  EXPECT_TRUE(result.complete) << result.message;
+  for (const Closure& closure : result.closures) {
+    EXPECT_LE(scaled_residual(Phi(mechanism), closure.q, 0), 1e-12);
+  }
+}
+
+// A rod in place of the second link makes a tree of hinges, all in one block.
+TEST(FourBarLegs, StandAsOftenAsATreeOfHingesSays) {
+  const Mechanism tree = mechanism_text(on_a_four_bar(kRodBeside));
+  const Mechanism leg = mechanism_text(on_a_four_bar(kSecondLink));
+  const ClosureResult of_tree = closures_of(tree);
+  const ClosureResult of_leg = closures_of(leg);
+  expect_legs_closed(tree, of_tree);
+  expect_legs_closed(leg, of_leg);
+  EXPECT_EQ(of_tree.counts.complex, 120U);
+  EXPECT_EQ(of_tree.counts.real, 16U);
+  EXPECT_EQ(of_leg.counts.complex, of_tree.counts.complex);
+  EXPECT_EQ(of_leg.counts.real, of_tree.counts.real);
+  EXPECT_EQ(of_leg.stages.size(), 2U) << "the body, then the leg's postures";
+}
+
+}  // namespace
+}  // namespace moivre
