@@ -27,6 +27,8 @@ namespace {
 
 // Newton-Raphson polishes a pose; it does not look for another.
 constexpr double kPolish = 1e-4;
+// From a pose of links as meant to one of the file's it goes some times as far as these are apart.
+constexpr double kMoved = 10;
 
 /// Whether a root is near the pose q, as Phi and its derivatives there say. Along the direction v
 /// that Phi_q sees least, Phi is r + sigma s + b s^2 / 2: beside a fold that has no real zero
@@ -100,6 +102,13 @@ void join(Closure& closure, const Solution& solution, std::vector<Solution>& bef
   root->radius = std::max(root->radius, max_distance(root->x, solution.x));
 }
 
+bool is_known(const ClosureSearch& search, const Eigen::VectorXd& q) {
+  const auto& closures = search.result.closures;
+  return std::any_of(closures.begin(), closures.end(), [&](const Closure& other) {
+    return distance(search.phi, other.q, q) <= kSamePose;
+  });
+}
+
 enum class RootKind {
   isolated,  ///< and, where it is real, polished to a pose
   joined,    ///< to a closure at the same singular pose
@@ -113,7 +122,8 @@ RootKind polish(ClosureSearch& search, const Solution& solution, std::vector<Sol
   const Eigen::VectorXd guess = coordinates_of_root(search.formulation, solution.x);
   const NewtonResult polished = newton(phi, guess, search.options.time);
   const double moved = largest_of(phi, phi.canonical(polished.q) - phi.canonical(guess));
-  const double most = kPolish * std::max(1.0, largest_of(phi, guess));
+  const double most = std::max(kPolish, kMoved * search.formulation.meant_within) *
+                      std::max(1.0, largest_of(phi, guess));
   // At half a turn the same angle has two names.
   const bool stayed = moved <= most || largest_of(phi, polished.q - guess) <= most;
   if (polished.status == NewtonStatus::no_solution && phi.size() > phi.dimension() && stayed) {
@@ -127,20 +137,16 @@ RootKind polish(ClosureSearch& search, const Solution& solution, std::vector<Sol
   if (polished.is_singular && lies_on_motion(search, phi.canonical(polished.q))) {
     return RootKind::on_a_set;
   }
-  if (is_told(search, polished)) return RootKind::does_not_close;
+  const bool is_meant = search.formulation.meant_within > 0;
+  if (is_told(search, polished) || (is_meant && is_known(search, phi.canonical(polished.q)))) {
+    return RootKind::does_not_close;
+  }
   if (Closure* const same = joined_by(search, solution, polished)) {
     join(*same, solution, before);
     return RootKind::joined;
   }
   take_pose(search, solution, polished);
   return RootKind::isolated;
-}
-
-bool is_known(const ClosureSearch& search, const Eigen::VectorXd& q) {
-  const auto& closures = search.result.closures;
-  return std::any_of(closures.begin(), closures.end(), [&](const Closure& other) {
-    return distance(search.phi, other.q, q) <= kSamePose;
-  });
 }
 
 /// A root that an equation whose terms nearly cancel does not know, but all of Phi does: it is one.
@@ -151,6 +157,21 @@ void take_back(ClosureSearch& search, Solution solution, const NewtonResult& pos
   --search.result.counts.rejected;
   take_pose(search, solution, pose);
   search.result.solutions.push_back(std::move(solution));
+}
+
+/// Keeps the pose, once, where it misses by what the third digit of lengths explains and is none
+/// that closes.
+void note_near_closure(ClosureSearch& search, const Closure& pose) {
+  constexpr double kRounded = 1e-3;
+  if (pose.misfit > kRounded * search.phi.length()) return;
+  if (broken_limit(search.mechanism, pose.q)) return;
+  const auto is_it = [&](const Closure& other) {
+    return is_same_pose(search.phi, other.q, pose.q);
+  };
+  for (const auto* poses : {&search.result.closures, &search.near_closures}) {
+    if (std::any_of(poses->begin(), poses->end(), is_it)) return;
+  }
+  search.near_closures.push_back(pose);
 }
 
 /// What misses by little: the least squares beside each near miss, taken where it closes after all,
@@ -172,6 +193,7 @@ void take_near_misses(ClosureSearch& search) {
     }
     if (is_at_root(search, least)) continue;
     if (is_near) note_misfit(search, closure);
+    if (is_near) note_near_closure(search, closure);
     take_fitted(search, least);
   }
   for (const Eigen::VectorXd& q : search.fitted_before) take_fitted(search, settled(search, q));
@@ -265,6 +287,7 @@ void find_poses(ClosureSearch& search) {
   ClosureResult& result = search.result;
   search.beyond_limits.clear();
   search.fitted_beyond_limits.clear();
+  search.near_closures.clear();
   std::vector<Solution> isolated;
   for (Solution& solution : result.solutions) {
     const RootKind kind = solution.real ? polish(search, solution, isolated) : RootKind::isolated;

@@ -56,6 +56,7 @@ struct ClosureSearch {
   std::uint64_t rootless =
       0;  ///< poses that close regularly beside roots that do not, and are no root's
   std::vector<NearMiss> near_misses;
+  std::vector<Closure> near_closures;  ///< what these come to where it misses by rounding only
   std::map<const Joint*, std::uint64_t>
       beyond_limits;  ///< closures that each joint's limits filtered
   std::vector<Closure>

@@ -115,6 +115,14 @@ std::string length_text(double x, const Mechanism& mechanism) {
   return mechanism.units.length.empty() ? text : text + (" " + mechanism.units.length);
 }
 
+/// A fit that takes what misses by so much: one digit more than it.
+std::string fit_text(double misfit) {
+  const double digit = std::pow(10, std::floor(std::log10(misfit)));
+  char fit[32];
+  std::snprintf(fit, sizeof fit, "%.1g", digit * (std::floor(misfit / digit) + 1));
+  return fit;
+}
+
 /// By how much the nearest pose misses, and what would take it; empty where none is near.
 std::string misfit_text(const ClosureSearch& search) {
   // Of the mechanism's length: lengths typed with three digits miss by less, and what misses by
@@ -126,11 +134,21 @@ std::string misfit_text(const ClosureSearch& search) {
                            length_text(*misfit, search.mechanism) + " at " +
                            search.result.misses_most;
   if (*misfit > kRounded * search.phi.length()) return text;
-  const double digit = std::pow(10, std::floor(std::log10(*misfit)));
-  char fit[32];
-  std::snprintf(fit, sizeof fit, "%.1g", digit * (std::floor(*misfit / digit) + 1));
+  const std::string fit = fit_text(*misfit);
   return text + ", as rounded lengths do: fit = " + fit + " in the file, or --fit " + fit +
          ", takes it";
+}
+
+/// Poses beside the closures that miss by rounding only, and what would take them.
+std::string near_text(const ClosureSearch& search) {
+  const auto& near = search.near_closures;
+  if (near.empty() || search.mechanism.fit) return "";
+  double most = 0;
+  for (const Closure& pose : near) most = std::max(most, pose.misfit);
+  return "; " + counted(near.size(), "more pose") + (near.size() == 1 ? " misses" : " miss") +
+         " by " + length_text(most, search.mechanism) + (near.size() == 1 ? "" : " at most") +
+         ", as rounded lengths do: --fit " + fit_text(most) +
+         (near.size() == 1 ? " takes it" : " takes them");
 }
 
 std::string fitted_text(const ClosureSearch& search) {
@@ -176,7 +194,7 @@ std::string verdict(const ClosureSearch& search) {
     return "cannot be assembled: every closure is complex (" + std::to_string(counts.complex) +
            ")" + misfit_text(search);
   }
-  return "every path was decided";
+  return "every path was decided" + near_text(search);
 }
 
 void conclude(ClosureSearch& search) {

@@ -56,8 +56,9 @@ void add_postures(SpatialFrame& frame, const RigidGroups& groups, const FourBarL
   for (const auto& [root, tip, corner] : links) {
     const Polynomial t = frame.add_turn("t_" + root.name, groups.bodies[root.j]);
     const MovingPose turn = turn_of(t, frame.random_number());
-    add_turn_equation(frame, root.name, turn, place_of(to_moving(conjugate(root.at_j) * corner.at_j)),
-                      place_of(to_moving(conjugate(root.at_i)) * k_in_bar * to_moving(corner.at_i)));
+    add_turn_equation(
+        frame, root.name, turn, place_of(to_moving(conjugate(root.at_j) * corner.at_j)),
+        place_of(to_moving(conjugate(root.at_i)) * k_in_bar * to_moving(corner.at_i)));
     frame.place(root.j, root.i, to_moving(root.at_i) * turn * to_moving(conjugate(root.at_j)));
   }
 }

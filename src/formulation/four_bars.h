@@ -3,7 +3,7 @@
 // postures, one unknown after the other.
 //
 // The bar turns about a line a of group i, the foot about a line b of group k; two links join them
-// by hinges normal to both lines, so that a and b lie in the plane of the four-bar (rigid_groups.h).
+// by hinges normal to both lines, which lie in the plane of the four-bar (rigid_groups.h).
 //   n(t1) (r b + r' c) = 0             the normal of that plane, turned with the bar, is normal to
 //                                      the place b and the direction c of the other line: n or -n
 //   the foot's turn brings its normal to n             linear (turned_places.h)

@@ -118,27 +118,25 @@ struct Crossing {
   double along_a, along_b;
 };
 
-/// Axes that miss each other by this part of the link's size are meant to meet, or to be across.
-constexpr double kMeet = 1e-11;
-
-std::optional<Crossing> crossing_of(const Axis& a, const Axis& b) {
+/// Where they miss each other by no more than this part of the link's size.
+std::optional<Crossing> crossing_of(const Axis& a, const Axis& b, double rounding) {
   const Vector3d normal = a.along.cross(b.along);
   const Vector3d apart = b.at - a.at;
   const double size = std::max(apart.norm(), std::max(a.at.norm(), b.at.norm()));
   const double sine = normal.norm();
-  if (sine <= kMeet || std::abs(apart.dot(normal)) > kMeet * sine * size) return std::nullopt;
+  if (sine <= rounding || std::abs(apart.dot(normal)) > rounding * sine * size) return std::nullopt;
   return Crossing{apart.cross(b.along).dot(normal) / (sine * sine),
                   apart.cross(a.along).dot(normal) / (sine * sine)};
 }
 
 /// Two revolute joints whose axes meet: the point stays, and so does the angle.
-void leave_out_cone(RigidGroups& groups, std::size_t group) {
+void leave_out_cone(RigidGroups& groups, std::size_t group, double rounding) {
   std::vector<Tie> ties = ties_towards(groups, group);
   if (ties.size() != 2 || ties[0].i == ties[1].i) return;
   if (!is_hinge(ties[0]) || !is_hinge(ties[1])) return;
   const Axis a = axis_of(ties[0].at_j);
   const Axis b = axis_of(ties[1].at_j);
-  const auto crossing = crossing_of(a, b);
+  const auto crossing = crossing_of(a, b, rounding);
   if (!crossing) return;
   for (auto [tie, along] :
        {std::pair(&ties[0], crossing->along_a), std::pair(&ties[1], crossing->along_b)}) {
@@ -177,13 +175,12 @@ bool is_armed(const Strut& strut) {
 
 /// Whether a strut's own axes are parallel to each other and across its length, and the axes of
 /// both crosses perpendicular.
-bool is_flat(const Strut& strut) {
-  constexpr double kAcross = 1e-11;
+bool is_flat(const Strut& strut, double rounding) {
   const Axis near = axis_of(strut.cross.at_j);
   const Axis far = axis_of(strut.ball.at_j);
   const Vector3d arm = far.at - near.at;
-  return near.along.cross(far.along).norm() <= kAcross &&
-         std::abs(arm.dot(near.along)) <= kAcross * arm.norm() && strut.cross.half_tangent == 1 &&
+  return near.along.cross(far.along).norm() <= rounding &&
+         std::abs(arm.dot(near.along)) <= rounding * arm.norm() && strut.cross.half_tangent == 1 &&
          strut.ball.half_tangent == 1;
 }
 
@@ -200,7 +197,7 @@ Tie meeting_of(const Tie& a, const Tie& b, const std::string& name) {
   return meeting;
 }
 
-void leave_out_strut(RigidGroups& groups, std::size_t group) {
+void leave_out_strut(RigidGroups& groups, std::size_t group, double rounding) {
   std::vector<Tie> ties = ties_towards(groups, group);
   if (ties.size() != 2 || ties[0].i == ties[1].i) return;
   const auto is_cross = [](const Tie& tie) {
@@ -213,7 +210,7 @@ void leave_out_strut(RigidGroups& groups, std::size_t group) {
   const Strut strut{ties[0], ties[1]};
   const bool has_ball = is_ball(strut.ball);
   if (!is_cross(strut.cross) || !is_armed(strut)) return;
-  if (!has_ball && !(is_cross(strut.ball) && is_flat(strut))) return;
+  if (!has_ball && !(is_cross(strut.ball) && is_flat(strut, rounding))) return;
   const std::string& name = groups.names[group];
   remove_ties(groups, group);
   groups.struts.push_back(strut);
@@ -227,30 +224,29 @@ void leave_out_strut(RigidGroups& groups, std::size_t group) {
 }
 
 /// Whether both axes of a link are parallel, and apart.
-bool are_parallel_and_apart(const ExactPose& one, const ExactPose& other) {
-  constexpr double kParallel = 1e-11;
+bool are_parallel_and_apart(const ExactPose& one, const ExactPose& other, double rounding) {
   // Nearer, the link's turn moves its far hinge by less than half the digits tell.
   constexpr double kApart = 1e-9;
   const Axis a = axis_of(one);
   const Axis b = axis_of(other);
   const Vector3d arm = b.at - a.at;
-  return a.along.cross(b.along).norm() <= kParallel &&
+  return a.along.cross(b.along).norm() <= rounding &&
          arm.cross(a.along).norm() > kApart * std::max({arm.norm(), a.at.norm(), b.at.norm()});
 }
 
 /// Whether nothing but two parallel hinges holds a group.
-bool is_flat_link(const RigidGroups& groups, std::size_t link) {
+bool is_flat_link(const RigidGroups& groups, std::size_t link, double rounding) {
   const std::vector<Tie> ties = ties_towards(groups, link);
   return link != 0 && !is_driven(groups, link) && ties.size() == 2 && is_hinge(ties[0]) &&
-         is_hinge(ties[1]) && are_parallel_and_apart(ties[0].at_j, ties[1].at_j);
+         is_hinge(ties[1]) && are_parallel_and_apart(ties[0].at_j, ties[1].at_j, rounding);
 }
 
-void leave_out_leg(RigidGroups& groups, std::size_t group) {
-  if (!is_flat_link(groups, group)) return;
+void leave_out_leg(RigidGroups& groups, std::size_t group, double rounding) {
+  if (!is_flat_link(groups, group, rounding)) return;
   std::vector<Tie> ties = ties_towards(groups, group);
-  if (!is_flat_link(groups, ties[1].i)) std::swap(ties[0], ties[1]);
+  if (!is_flat_link(groups, ties[1].i, rounding)) std::swap(ties[0], ties[1]);
   const std::size_t next = ties[1].i;
-  if (!is_flat_link(groups, next)) return;
+  if (!is_flat_link(groups, next, rounding)) return;
   const std::vector<Tie> of_next = ties_towards(groups, next);
   const Tie& last = of_next[0].i == group ? of_next[1] : of_next[0];
   const PlanarLeg leg{ties[0], reversed(ties[1]), last};
@@ -285,7 +281,8 @@ std::optional<std::vector<Tie>> outer_tie_first(const RigidGroups& groups, std::
 }
 
 /// The four-bar whose bar is this group, and whose foot comes after it.
-std::optional<FourBarLeg> four_bar_of(const RigidGroups& groups, std::size_t group) {
+std::optional<FourBarLeg> four_bar_of(const RigidGroups& groups, std::size_t group,
+                                      double rounding) {
   const std::vector<Tie> ties = ties_towards(groups, group);
   const auto other_end = [&](std::size_t link) {
     const std::vector<Tie> of_link = ties_towards(groups, link);
@@ -294,18 +291,18 @@ std::optional<FourBarLeg> four_bar_of(const RigidGroups& groups, std::size_t gro
   for (std::size_t a = 0; a < ties.size(); ++a) {
     for (std::size_t b = a + 1; b < ties.size(); ++b) {
       const std::array links{ties[a].i, ties[b].i};
-      if (!is_flat_link(groups, links[0]) || !is_flat_link(groups, links[1])) continue;
+      if (!is_flat_link(groups, links[0], rounding) || !is_flat_link(groups, links[1], rounding))
+        continue;
       const Tie tips[] = {other_end(links[0]), other_end(links[1])};
       const std::size_t foot = tips[0].i;
       if (tips[1].i != foot || foot == 0 || foot == group || is_driven(groups, foot)) continue;
       const auto of_bar = outer_tie_first(groups, group, links);
       const auto of_foot = outer_tie_first(groups, foot, links);
       if (!of_bar || !of_foot || of_bar->front().i == of_foot->front().i) continue;
-      return FourBarLeg{
-          of_bar->front(),
-          of_foot->front(),
-          {FourBarLeg::Link{reversed(ties[a]), tips[0], {}},
-           FourBarLeg::Link{reversed(ties[b]), tips[1], {}}}};
+      return FourBarLeg{of_bar->front(),
+                        of_foot->front(),
+                        {FourBarLeg::Link{reversed(ties[a]), tips[0], {}},
+                         FourBarLeg::Link{reversed(ties[b]), tips[1], {}}}};
     }
   }
   return std::nullopt;
@@ -313,11 +310,11 @@ std::optional<FourBarLeg> four_bar_of(const RigidGroups& groups, std::size_t gro
 
 /// A ball joint where a link's hinge meets the line of the outer one, across it: from the group
 /// that the outer one leads to, to the link.
-std::optional<Tie> corner_of(const Tie& outer, const Tie& hinge) {
+std::optional<Tie> corner_of(const Tie& outer, const Tie& hinge, double rounding) {
   const Axis line = axis_of(outer.at_j);
   const Axis normal = axis_of(hinge.at_i);
-  const auto crossing = crossing_of(line, normal);
-  if (!crossing || std::abs(line.along.dot(normal.along)) > kMeet) return std::nullopt;
+  const auto crossing = crossing_of(line, normal, rounding);
+  if (!crossing || std::abs(line.along.dot(normal.along)) > rounding) return std::nullopt;
   Tie ball = outer;
   ball.at_i = moved_along(outer.at_i, crossing->along_a);
   ball.at_j = moved_along(hinge.at_j, crossing->along_b);
@@ -325,10 +322,10 @@ std::optional<Tie> corner_of(const Tie& outer, const Tie& hinge) {
 }
 
 /// Whether the far corner of a link lies in the plane that is normal to its hinges at the near one.
-bool is_in_plane(const Tie& near, const Tie& far) {
+bool is_in_plane(const Tie& near, const Tie& far, double rounding) {
   const Axis normal = axis_of(near.at_j);
   const Vector3d arm = axis_of(far.at_j).at - normal.at;
-  return std::abs(arm.dot(normal.along)) <= kMeet * arm.norm();
+  return std::abs(arm.dot(normal.along)) <= rounding * arm.norm();
 }
 
 /// Whether both links lay the foot's hinges the same way round.
@@ -344,19 +341,19 @@ bool are_laid_alike(const FourBarLeg& leg) {
   return product > 0;
 }
 
-/// The rods of a four-bar whose plane holds the lines of both outer hinges; else none. Notes the far
-/// corners.
-std::vector<Tie> rods_of(const RigidGroups& groups, FourBarLeg& leg) {
+/// The rods of a four-bar whose plane holds the lines of both outer hinges; else none. Notes the
+/// far corners.
+std::vector<Tie> rods_of(const RigidGroups& groups, FourBarLeg& leg, double rounding) {
   const auto& [left, right] = leg.links;
-  if (!are_parallel_and_apart(left.root.at_i, right.root.at_i) ||
-      !are_parallel_and_apart(left.tip.at_i, right.tip.at_i) || !are_laid_alike(leg)) {
+  if (!are_parallel_and_apart(left.root.at_i, right.root.at_i, rounding) ||
+      !are_parallel_and_apart(left.tip.at_i, right.tip.at_i, rounding) || !are_laid_alike(leg)) {
     return {};
   }
   std::vector<Tie> rods;
   for (auto& [root, tip, corner] : leg.links) {
-    const auto near = corner_of(leg.bar, root);
-    const auto far = corner_of(leg.foot, tip);
-    if (!near || !far || !is_in_plane(*near, *far)) return {};
+    const auto near = corner_of(leg.bar, root, rounding);
+    const auto far = corner_of(leg.foot, tip, rounding);
+    if (!near || !far || !is_in_plane(*near, *far, rounding)) return {};
     rods.push_back(rod_between(*near, *far, groups.names[root.j]));
     corner = *far;
   }
@@ -364,20 +361,20 @@ std::vector<Tie> rods_of(const RigidGroups& groups, FourBarLeg& leg) {
 }
 
 /// Its meeting, where it is left out.
-std::optional<Tie> leave_out_four_bar(RigidGroups& groups, std::size_t group) {
-  std::optional<FourBarLeg> leg = four_bar_of(groups, group);
+std::optional<Tie> leave_out_four_bar(RigidGroups& groups, std::size_t group, double rounding) {
+  std::optional<FourBarLeg> leg = four_bar_of(groups, group, rounding);
   if (!leg) return std::nullopt;
-  const std::vector<Tie> rods = rods_of(groups, *leg);
+  const std::vector<Tie> rods = rods_of(groups, *leg, rounding);
   if (rods.empty()) return std::nullopt;
   const auto& [left, right] = leg->links;
   for (const std::size_t link : {leg->bar.j, leg->foot.j, left.root.j, right.root.j}) {
     remove_ties(groups, link);
   }
   groups.ties.insert(groups.ties.end(), rods.begin(), rods.end());
-  groups.left_out.emplace_back(
-      groups.names[leg->bar.j] + " to " + groups.names[leg->foot.j],
-      "a four-bar in the plane of its outer hinges is two distances and two lines that meet, in two "
-      "postures");
+  groups.left_out.emplace_back(groups.names[leg->bar.j] + " to " + groups.names[leg->foot.j],
+                               "a four-bar in the plane of its outer hinges is two distances and "
+                               "two lines that meet, in two "
+                               "postures");
   groups.four_bars.push_back(*leg);
   return meeting_of(leg->bar, leg->foot, groups.names[group]);
 }
@@ -395,31 +392,36 @@ void leave_out_rods(RigidGroups& groups) {
   }
 }
 
-void leave_out_cones(RigidGroups& groups, const std::vector<std::size_t>& among) {
+void leave_out_cones(RigidGroups& groups, const std::vector<std::size_t>& among, double rounding) {
   for (const std::size_t group : among) {
-    if (!groups.is_left_out[group] && !is_driven(groups, group)) leave_out_cone(groups, group);
+    if (groups.is_left_out[group] || is_driven(groups, group)) continue;
+    leave_out_cone(groups, group, rounding);
   }
 }
 
-void leave_out_struts(RigidGroups& groups, const std::vector<std::size_t>& among) {
+void leave_out_struts(RigidGroups& groups, const std::vector<std::size_t>& among, double rounding) {
   for (const std::size_t group : among) {
-    if (!groups.is_left_out[group] && !is_driven(groups, group)) leave_out_strut(groups, group);
+    if (groups.is_left_out[group] || is_driven(groups, group)) continue;
+    leave_out_strut(groups, group, rounding);
   }
 }
 
 // Meetings come last: six rods say all of a body, and a theorem how many poses it has.
-void leave_out_four_bars(RigidGroups& groups, const std::vector<std::size_t>& among) {
+void leave_out_four_bars(RigidGroups& groups, const std::vector<std::size_t>& among,
+                         double rounding) {
   std::vector<Tie> meetings;
   for (const std::size_t group : among) {
     if (groups.is_left_out[group] || is_driven(groups, group)) continue;
-    if (const auto meeting = leave_out_four_bar(groups, group)) meetings.push_back(*meeting);
+    if (const auto meeting = leave_out_four_bar(groups, group, rounding)) {
+      meetings.push_back(*meeting);
+    }
   }
   groups.ties.insert(groups.ties.end(), meetings.begin(), meetings.end());
 }
 
-void leave_out_legs(RigidGroups& groups, const std::vector<std::size_t>& among) {
+void leave_out_legs(RigidGroups& groups, const std::vector<std::size_t>& among, double rounding) {
   for (const std::size_t group : among) {
-    if (!groups.is_left_out[group]) leave_out_leg(groups, group);
+    if (!groups.is_left_out[group]) leave_out_leg(groups, group, rounding);
   }
 }
 

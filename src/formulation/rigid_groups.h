@@ -118,13 +118,15 @@ RigidGroups rigid_groups(const Mechanism& mechanism, double t);
 
 /// Replaces links between spherical joints by rods.
 void leave_out_rods(RigidGroups& groups);
+// Axes are parallel, across or meet to `rounding`, in radians or beside the link's size.
 /// Replaces links of `among` by cones.
-void leave_out_cones(RigidGroups& groups, const std::vector<std::size_t>& among);
+void leave_out_cones(RigidGroups& groups, const std::vector<std::size_t>& among, double rounding);
 /// Replaces struts of `among` by rods and meetings.
-void leave_out_struts(RigidGroups& groups, const std::vector<std::size_t>& among);
+void leave_out_struts(RigidGroups& groups, const std::vector<std::size_t>& among, double rounding);
 /// Replaces four-bars whose bar or foot is one of `among` by rods and meetings.
-void leave_out_four_bars(RigidGroups& groups, const std::vector<std::size_t>& among);
+void leave_out_four_bars(RigidGroups& groups, const std::vector<std::size_t>& among,
+                         double rounding);
 /// Replaces legs that begin with a link of `among` by planar joints.
-void leave_out_legs(RigidGroups& groups, const std::vector<std::size_t>& among);
+void leave_out_legs(RigidGroups& groups, const std::vector<std::size_t>& among, double rounding);
 
 }  // namespace moivre

@@ -20,8 +20,8 @@
 
 namespace moivre {
 
-/// `part`: one group, its first six ties rods to the ground, stated in a frame of this length before
-/// anything else is. Polynomials and unknowns stand in the order of add_tree().
+/// `part`: one group, its first six ties rods to the ground, stated in a frame of this length
+/// before anything else is. Polynomials and unknowns stand in the order of add_tree().
 Formulation::GeneralMember general_six_rods(RigidGroups groups, Part part, double length);
 
 }  // namespace moivre

@@ -40,17 +40,49 @@ std::vector<Part> parts_of(const RigidGroups& groups) {
   return parts;
 }
 
-void leave_out_links(RigidGroups& groups) {
+void leave_out_from_tree(RigidGroups& groups, const std::vector<std::size_t>& among,
+                         double rounding) {
+  leave_out_cones(groups, among, rounding);
+  leave_out_struts(groups, among, rounding);
+  leave_out_four_bars(groups, among, rounding);
+  leave_out_legs(groups, among, rounding);
+}
+
+/// Whether these groups have more equations than unknowns.
+bool are_overdetermined(const RigidGroups& groups, const std::vector<std::size_t>& among,
+                        double length) {
+  SpatialFrame frame(length);
+  for (const Part& part : parts_of(groups)) {
+    const bool is_among = std::find(among.begin(), among.end(), part.groups.front()) != among.end();
+    if (is_among && !loop_of(groups, part)) add_tree(frame, groups, part);
+  }
+  const System& f = frame.result().system;
+  return f.polynomials.size() > f.variables.size();
+}
+
+/// Links that are so by the file's numbers, or where equations are spare but for rounding: then
+/// there is no closure but where these numbers agree, and it is found beside one of the links as
+/// meant. How far the farthest may be from the file's.
+double leave_out_links(RigidGroups& groups, double length) {
+  constexpr double kExactly = 1e-11;
+  // Of axes and points typed with two digits.
+  constexpr double kRounded = 3e-2;
+  double within = 0;
   leave_out_rods(groups);
-  std::vector<std::size_t> in_trees;
   for (const Part& part : parts_of(groups)) {
     if (loop_of(groups, part)) continue;
-    in_trees.insert(in_trees.end(), part.groups.begin(), part.groups.end());
+    leave_out_from_tree(groups, part.groups, kExactly);
+    RigidGroups meant = groups;
+    leave_out_from_tree(meant, part.groups, kRounded);
+    const std::size_t exact = groups.left_out.size();
+    if (meant.left_out.size() == exact || !are_overdetermined(meant, part.groups, length)) continue;
+    for (std::size_t k = exact; k < meant.left_out.size(); ++k) {
+      meant.left_out[k].second += ", but for rounding";
+    }
+    groups = std::move(meant);
+    within = kRounded;
   }
-  leave_out_cones(groups, in_trees);
-  leave_out_struts(groups, in_trees);
-  leave_out_four_bars(groups, in_trees);
-  leave_out_legs(groups, in_trees);
+  return within;
 }
 
 /// Whether all joints' frames are typed points, none of them turned.
@@ -109,8 +141,9 @@ void read_poses(const RigidGroups& groups, PoseReading& poses) {
 
 Formulation spatial_bodies(const Mechanism& mechanism, double t) {
   RigidGroups groups = rigid_groups(mechanism, t);
-  leave_out_links(groups);
-  SpatialFrame frame(Phi(mechanism).length(), has_exact_frames(groups));
+  const double length = Phi(mechanism).length();
+  const double meant_within = leave_out_links(groups, length);
+  SpatialFrame frame(length, has_exact_frames(groups));
   add_ground_ties(frame, groups);
   const std::vector<Part> parts = parts_of(groups);
   for (const Part& part : parts) {
@@ -123,6 +156,7 @@ Formulation spatial_bodies(const Mechanism& mechanism, double t) {
   frame.add_checks();
   Formulation formulation = std::move(frame.result());
   formulation.has_rounded_frames = !has_exact_frames(groups);
+  formulation.meant_within = meant_within;
   formulation.theorem = theorem_of(groups, parts, frame.length());
   read_poses(groups, formulation.poses);
   formulation.contradictions.insert(formulation.contradictions.end(), groups.contradictions.begin(),

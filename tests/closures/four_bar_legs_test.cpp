@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mechanisms.h"
+#include "moivre/mechanism/read.h"
 #include "spatial_counts.h"
 
 namespace moivre {
@@ -69,7 +70,7 @@ axis = [[0, 1, 0], [0, 0.28, 0.96]]
 )toml" + second;
 }
 
-// Its foot is turned over, as the other link turns it, and its hinges lie 0.1 beside the bar's line.
+// It turns the foot over, as the other link does. Its hinge lies 0.1 beside the bar's line.
 const char* const kSecondLink = R"toml([body.right.points]
 R = [0, 0, 0]
 S = [0, 1.8, 0.1]
@@ -110,6 +111,25 @@ TEST(FourBarLegs, StandAsOftenAsATreeOfHingesSays) {
   EXPECT_EQ(of_leg.counts.complex, of_tree.counts.complex);
   EXPECT_EQ(of_leg.counts.real, of_tree.counts.real);
   EXPECT_EQ(of_leg.stages.size(), 2U) << "the body, then the leg's postures";
+}
+
+// Its axes are across to 1e-4, not to 1e-11, so that parallelograms are such but for rounding. The
+// other poses miss by 2e-5.
+TEST(FourBarLegs, OfADrawnDeltaAreFoundAsMeantAndAnsweredForAsTyped) {
+  Mechanism delta = read_mechanism(
+      read_source(std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/delta-drawn.toml"));
+  const ClosureResult as_typed = closures_of(delta);
+  expect_legs_closed(delta, as_typed);
+  ASSERT_EQ(as_typed.closures.size(), 1U);
+  EXPECT_TRUE(as_typed.closures.front().is_drawn);
+  EXPECT_NE(as_typed.message.find("15 more poses miss by 2.1e-05 at most"), std::string::npos)
+      << as_typed.message;
+
+  delta.fit = 1e-4;
+  const ClosureResult within_fit = closures_of(delta);
+  EXPECT_TRUE(within_fit.complete) << within_fit.message;
+  EXPECT_EQ(within_fit.counts.real, 1U);
+  EXPECT_EQ(within_fit.counts.fitted, 15U);
 }
 
 }  // namespace

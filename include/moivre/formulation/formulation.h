@@ -71,6 +71,9 @@ struct Formulation {
   /// Axes and turns are right to rounding only, and so is what is made of them: what a proof says
   /// of two roots that rounding may merge is not said of the file's numbers. Of spatial mechanisms.
   bool has_rounded_frames = false;
+  /// Links were taken for special ones that are no farther from those of the file, in radians and
+  /// beside their size: roots lie beside closures. Of spatial mechanisms with spare equations.
+  double meant_within = 0;
   /// Terms of exact numbers were taken for rounding, since they are as small: a platform typed with
   /// 14 digits is the symmetric one.
   bool lacks_typed_terms = false;
