@@ -79,7 +79,7 @@ Query& Query::with_text(std::string_view value) {
 Query& Query::with_bytes(std::string_view value) {
   // A null pointer would be no bytes at all.
   const char* data = value.empty() ? "" : value.data();
-  const int code = sqlite3_bind_blob64(statement_, ++bound_, data, value.size(), SQLITE_TRANSIENT);
+  const int code = sqlite3_bind_blob64(statement_, ++bound_, data, value.size(), SQLITE_STATIC);
   if (code != SQLITE_OK) refuse(database_.handle(), code);
   return *this;
 }

@@ -48,7 +48,7 @@ class Query {
   Query(const Query&) = delete;
   Query& operator=(const Query&) = delete;
 
-  // The next parameter.
+  // The next parameter. Bytes are not copied: they have to stay until the last step.
   Query& with(std::int64_t value);
   Query& with(double value);
   Query& with_text(std::string_view value);

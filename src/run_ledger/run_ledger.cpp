@@ -26,7 +26,8 @@ namespace {
 constexpr double kShortest = 0.1, kLongest = 1, kShare = 0.125;
 // Pending bytes that are committed at once, and those that no thread may add to.
 constexpr std::size_t kMany = std::size_t{16} << 20, kTooMany = std::size_t{128} << 20;
-constexpr std::size_t kPiece = std::size_t{1} << 20;
+// Pieces that the allocator takes from what it has: fresh pages cost more than writing them.
+constexpr std::size_t kPiece = std::size_t{64} << 10;
 
 std::string differences(const RunIdentity& kept, const RunIdentity& asked) {
   const std::map<std::string, std::string> before(kept.begin(), kept.end());
@@ -122,8 +123,12 @@ class RunLedger::Books {
   void add_to_answer(const Fingerprint& question, const std::string& slot, std::string_view piece) {
     begin_answer(question);
     Slot& of = slots_[slot];
-    of.rest += piece;
-    if (of.rest.size() >= kPiece) insert(question, slot, of);
+    while (!piece.empty()) {
+      const std::string_view part = piece.substr(0, kPiece - of.rest.size());
+      of.rest += part;
+      piece.remove_prefix(part.size());
+      if (of.rest.size() == kPiece) insert(question, slot, of);
+    }
   }
 
   void end_answer(const Fingerprint& question, int exit_code) {
@@ -164,6 +169,8 @@ class RunLedger::Books {
     }
     // Rows are long: with SQLite's own 4096 bytes there are eight times as many writes.
     if (is_fresh) database_->run("PRAGMA page_size = 32768");
+    // A commit writes each page once.
+    database_->run("PRAGMA cache_size = -256");
     database_->run("PRAGMA journal_mode = WAL");
     database_->run("PRAGMA synchronous = FULL");
     if (is_fresh) make_tables(*database_, identity);
