@@ -448,6 +448,50 @@ def tripteron(m):
         m.drive_slide(joint)
 
 
+def parallelogram(m, base, top, near, far, side, half):
+    """Two bars along `side`, hinged about it to the base and to the top, and two links between them."""
+    near, far, side = (np.array(x, float) for x in (near, far, side))
+    across = np.cross(side, far - near)
+    across /= np.linalg.norm(across)
+    bar, foot = m.body(), m.body()
+    hinged(m, base, bar, tuple(near), side)
+    hinged(m, foot, top, tuple(far), side)
+    for shift in (half * side, -half * side):
+        link = m.body()
+        hinged(m, bar, link, tuple(near + shift), across)
+        hinged(m, link, foot, tuple(far + shift), across)
+
+
+def hinged_delta(m):
+    """A delta robot of hinges alone: twelve constraints are redundant."""
+    top = m.body()
+    made = []
+    for k, lift in enumerate((0.3, 0.7, 0.5)):
+        angle = 2 * math.pi * k / 3 + 0.1
+        out, side = np.array([math.cos(angle), math.sin(angle), 0]), np.array([-math.sin(angle), math.cos(angle), 0])
+        low = m.body()
+        made.append(hinged(m, 0, low, tuple(2 * out), side))
+        near, far = 2 * out + 3 * np.array([math.cos(lift) * out[0], math.cos(lift) * out[1], math.sin(lift)]), 0.6 * out + (0.4, -0.3, -6)
+        parallelogram(m, low, top, near, far, side, 0.5)
+    for joint in made:
+        m.drive_angle(joint)
+
+
+def orthoglide(m):
+    top, made = m.body(), []
+    place = np.array([0.5, -0.3, 0.4])
+    for k in range(3):
+        e, side = np.eye(3)[k], np.eye(3)[(k + 1) % 3]
+        slide = m.body()
+        far = place + 0.6 * e
+        off = far - far[k] * e
+        near = (far[k] + math.sqrt(16 - off @ off)) * e
+        made.append(m.joint("prismatic", 0, slide, tuple(6 * e), tuple(near), axis=e))
+        parallelogram(m, slide, top, near, far, side, 0.4)
+    for joint in made:
+        m.drive_slide(joint)
+
+
 def arm(m, front, rear):
     body = m.body()
     axis = np.subtract(front, rear)
@@ -529,7 +573,7 @@ PLANAR = {
 SPATIAL = {
     "hooke": hooke, "cardan-shaft": cardan_shaft, "clemens": clemens, "rscr": rscr, "elbow": elbow, "schatz": schatz, "myard": myard,
     "goldberg": goldberg, "kaleidocycle": kaleidocycle, **{name: lambda sketch=sketch: sketch for name, sketch in {
-        "slider-crank-in-space": slider_crank_in_space, "wobble-plate": wobble_plate, "3-rrs": three_rrs, "tripteron": tripteron,
+        "slider-crank-in-space": slider_crank_in_space, "wobble-plate": wobble_plate, "3-rrs": three_rrs, "tripteron": tripteron, "hinged-delta": hinged_delta, "orthoglide": orthoglide,
         "double-wishbone": double_wishbone, "macpherson": macpherson, "five-link": five_link, "aileron": aileron,
         "swash-plate": swash_plate}.items()}}
 SKETCHES = {**{name: (Planar, sketch) for name, sketch in PLANAR.items()}, **{name: (Spatial, sketch) for name, sketch in SPATIAL.items()}}
