@@ -31,6 +31,17 @@ Polynomial component(const std::array<Rational, 3>& along, const Vector& v) {
   return without_noise(sum, largest_coefficient(sum));
 }
 
+/// Whether v has no part in this direction but rounding.
+bool stands_across(const std::array<Rational, 3>& along, const Vector& v) {
+  double size = 0;
+  double most = 0;
+  for (std::size_t k = 0; k < v.size(); ++k) {
+    size = std::max(size, largest_coefficient(v[k]));
+    most = std::max(most, std::abs(to_double(along[k])));
+  }
+  return without_noise(component(along, v), size * most).terms.empty();
+}
+
 std::array<Rational, 3> cross(const std::array<Rational, 3>& a, const std::array<Rational, 3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -128,13 +139,19 @@ class FourTurns {
     smallest[static_cast<std::size_t>(least - a1.begin())] = 1;
     const std::array<Rational, 3> m1 = cross(a1, smallest);
     const std::array<Rational, 3> m2 = cross(a1, m1);
-    const Polynomial lines =
-        component(m1, v0) * component(m2, beside) - component(m2, v0) * component(m1, beside);
-    frame_.add_equation("loop", without_noise(lines, largest_coefficient(lines)));
-    std::array<Rational, 3> m = m1;
-    const Rational part = frame_.random_number();
-    for (std::size_t k = 0; k < m.size(); ++k) m[k] += part * m2[k];
-    frame_.add_equation(e(other_).name, component(m, v0) + e(other_).unknown * component(m, v2));
+    if (stands_across(m1, beside) && stands_across(m2, beside)) {
+      // Slides along parallel lines make up no more than one of them does.
+      frame_.add_equation("loop", component(m1, v0));
+      frame_.add_equation(e(other_).name, component(m2, v0));
+    } else {
+      const Polynomial lines =
+          component(m1, v0) * component(m2, beside) - component(m2, v0) * component(m1, beside);
+      frame_.add_equation("loop", without_noise(lines, largest_coefficient(lines)));
+      std::array<Rational, 3> m = m1;
+      const Rational part = frame_.random_number();
+      for (std::size_t k = 0; k < m.size(); ++k) m[k] += part * m2[k];
+      frame_.add_equation(e(other_).name, component(m, v0) + e(other_).unknown * component(m, v2));
+    }
     const Rational square = dot(q, q) * (a1[0] * a1[0] + a1[1] * a1[1] + a1[2] * a1[2]);
     frame_.add_equation(e(0).name, component(a1, v0) + e(other_).unknown * component(a1, v2) +
                                        e(0).unknown * (Coefficient{square, 0} * N));

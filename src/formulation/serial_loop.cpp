@@ -12,13 +12,21 @@ namespace {
 constexpr std::size_t kFewest = 3;
 constexpr std::size_t kMost = 6;
 
-/// The pose within rounding, by short numbers.
+/// The pose by short numbers. Each is rounded once, from what it is exactly: axes that are parallel
+/// or meet do so still, and what closes in a plane does not miss it by rounding.
 ExactPose shortened(const ExactPose& pose) {
-  const DualQuaternion<double> rounded = to_double(pose);
-  const Quaternion<double> half = scaled(0.5, shift_of(rounded));
-  const ExactPose shifted{{1, 0, 0, 0},
-                          {0, Rational(half[1]), Rational(half[2]), Rational(half[3])}};
-  return shifted * turn_by(rounded.q);
+  const Rational half(1, 2);
+  const Quaternion<Rational> exact = shift_of(pose);
+  ExactPose shifted{{1, 0, 0, 0}, {}};
+  for (std::size_t k = 1; k < exact.size(); ++k) {
+    shifted.g[k] = half * Rational(to_double(exact[k]));
+  }
+  const Rational largest =
+      *std::max_element(pose.q.begin(), pose.q.end(),
+                        [](const Rational& x, const Rational& y) { return x * x < y * y; });
+  Quaternion<double> turn;
+  for (std::size_t k = 0; k < turn.size(); ++k) turn[k] = to_double(pose.q[k] / largest);
+  return shifted * turn_by(turn);
 }
 
 /// A of a turn about the z axis of a frame, or of a slide along it.
