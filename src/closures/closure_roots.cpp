@@ -239,11 +239,6 @@ bool stands_still(const ClosureSearch& search, const Point& root) {
   return pose && !moves_at(search.phi, *pose, search.options.time, search.options.solve.seed);
 }
 
-/// Rounding of frames, or in redundant equations of the file's numbers, moves roots.
-bool is_rounded(const Formulation& formulation) {
-  return formulation.has_rounded_frames || has_spare_equations(formulation);
-}
-
 Point midpoint_of(const Point& a, const Point& b) {
   Point midpoint(a.size());
   for (std::size_t v = 0; v < a.size(); ++v) midpoint[v] = 0.5 * (a[v] + b[v]);
@@ -256,13 +251,12 @@ bool has_root_between(const ClosureSearch& search, const ResidualOfRoots& residu
                       const Point& b) {
   // Farther apart than the square root of rounding by far.
   constexpr double kFarApart = 1e-4;
-  // What rounding leaves in an equation: of the solution alone, or of a file's numbers and of what
-  // frames are made of.
-  constexpr double kOfSolution = 1e-15;
-  constexpr double kOfCoefficients = 1e-14;
   if (apart(search.formulation, a, b) > kFarApart) return false;
-  const double rounding = is_rounded(search.formulation) ? kOfCoefficients : kOfSolution;
-  return residual(midpoint_of(a, b)) <= rounding;
+  return residual(midpoint_of(a, b)) <= rounding_left(search.formulation);
+}
+
+bool may_be_real_between(const Formulation& formulation, const Point& a, const Point& b) {
+  return distance_from_real(formulation, midpoint_of(a, b)) <= kHoldsSingular;
 }
 
 void merge(const Formulation& formulation, const Solution& other, Solution& into) {
@@ -281,7 +275,7 @@ void merge(const Formulation& formulation, const Solution& other, Solution& into
 /// says whether two roots are real: that of the solution, of which the condition tells, or that of
 /// frames, and in redundant equations that of the file's numbers. Where the mechanism moves at the
 /// double root they are no closures: a dyad's two roots are parted, and between them its lines are
-/// one, along which the next dyad slides.
+/// one, along which the next dyad slides. Of complex roots there is no pose to ask.
 void merge_unproved(ClosureSearch& search, const ResidualOfRoots& residual) {
   std::vector<Solution>& roots = search.result.solutions;
   const auto is_unproved = [&](const Solution& root) {
@@ -295,6 +289,11 @@ void merge_unproved(ClosureSearch& search, const ResidualOfRoots& residual) {
     for (std::size_t j = i + 1; j < roots.size();) {
       const bool may_meet = is_unproved(roots[i]) && is_unproved(roots[j]) &&
                             has_root_between(search, residual, roots[i].x, roots[j].x);
+      if (may_meet && !may_be_real_between(search.formulation, roots[i].x, roots[j].x)) {
+        merge(search.formulation, roots[j], roots[i]);
+        erase(j);
+        continue;
+      }
       const auto pose =
           may_meet ? pose_beside(search, midpoint_of(roots[i].x, roots[j].x)) : std::nullopt;
       if (!pose) {
@@ -342,16 +341,55 @@ StageRun solve_blocks(const ClosureSearch& search, const Formulation& formulatio
                       prover);
 }
 
+/// Those of the equations that say something of known unknowns alone.
+Formulation with_known_alone(const Formulation& formulation, const PartialRoot& root,
+                             const std::vector<std::size_t>& equations) {
+  Formulation part = formulation;
+  part.system.polynomials.clear();
+  for (const std::size_t e : equations) {
+    const auto& terms = formulation.system.polynomials[e].terms;
+    const bool is_known = std::all_of(terms.begin(), terms.end(), [&](const Term& term) {
+      return std::all_of(term.monomial.begin(), term.monomial.end(),
+                         [&](const Power& power) { return root.value[power.variable] != nullptr; });
+    });
+    if (is_known) part.system.polynomials.push_back(formulation.system.polynomials[e]);
+  }
+  return part;
+}
+
+/// Takes away the roots of a part that fail an equation of it that was spare; no unknown that is
+/// free can mend that. Poses may be near them.
+void reject_what_fails(ClosureSearch& search, const std::vector<std::size_t>& spare,
+                       std::vector<PartialRoot>& roots) {
+  if (roots.empty() || spare.empty()) return;
+  const Formulation part = with_known_alone(search.formulation, roots.front(), spare);
+  const ResidualOfRoots residual(part);
+  std::erase_if(roots, [&](const PartialRoot& root) {
+    Solution solution;
+    solution.path = root.path;
+    solution.singular = root.singular;
+    for (const KnownValue& value : root.value) solution.x.push_back(value ? value->rounded : 0);
+    solution.residual = residual(solution.x);
+    if (solution.residual <= tolerance_of(solution)) return false;
+    ++search.result.counts.rejected;
+    note_near_miss(search, solution, true);
+    return true;
+  });
+}
+
 /// With fewer equations than unknowns no closure is isolated. What no free unknown has a say in is
-/// solved first: where it closes in complex numbers only, so does the whole.
-void solve_free(ClosureSearch& search, const std::vector<Block>& blocks) {
+/// solved first: where it does not close, or in complex numbers only, so does the whole.
+void solve_free(ClosureSearch& search, const BlockStructure& structure) {
   std::vector<Block> determined;
-  std::copy_if(blocks.begin(), blocks.end(), std::back_inserter(determined),
+  std::copy_if(structure.blocks.begin(), structure.blocks.end(), std::back_inserter(determined),
                [](const Block& block) { return block.is_determined; });
   RootProver prover(search.formulation, search.has_proofs());
-  const StageRun run = solve_blocks(search, search.formulation, determined, prover);
+  StageRun run = solve_blocks(search, search.formulation, determined, prover);
   take_account(search.result, run);
+  const bool has_roots = !run.roots.empty();
+  reject_what_fails(search, structure.spare_equations, run.roots);
   if (run.complete && !run.moves) {
+    if (has_roots && run.roots.empty()) return;
     search.part_is_complex = std::none_of(
         run.roots.begin(), run.roots.end(),
         [&](const PartialRoot& root) { return may_be_real(search.formulation, root); });
@@ -513,7 +551,7 @@ void find_roots(ClosureSearch& search) {
   const bool is_solved = may_miss_by_little(search.formulation) && structure.free_variables.empty();
   if (is_refuted && !is_solved) return;
   if (!structure.free_variables.empty()) {
-    solve_free(search, structure.blocks);
+    solve_free(search, structure);
   } else {
     solve_determined(search, structure);
   }

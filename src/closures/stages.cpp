@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
+#include "linear_block.h"
 #include "lone_equation.h"
 #include "moivre/expression/counted.h"
 #include "moivre/formulation/exact.h"
@@ -108,6 +110,7 @@ class Stages {
     prover_.add(block);
     prover_.close();
     const QuadraticBlock formula(formulation_, block);
+    const LinearBlock linear(formulation_.system, block);
     SharedAbove<BlockSolve> solves(formulation_.system, block);
     Stage stage;
     stage.group = group_name(block);
@@ -119,7 +122,7 @@ class Stages {
       bool is_new = false;
       const BlockSolve& solve = solves.above(root, [&] {
         is_new = true;
-        return solved(block, formula, root);
+        return solved(block, formula, linear, root);
       });
       if (!is_new) ++shared_;
       add_roots(block, formula.bound(), solve, root, stage, next);
@@ -275,8 +278,10 @@ class Stages {
     std::erase_if(run_.roots, [&](const PartialRoot& root) { return is_excluded(root, block); });
   }
 
-  BlockSolve solved(const Block& block, const QuadraticBlock& formula, const PartialRoot& root) {
+  BlockSolve solved(const Block& block, const QuadraticBlock& formula, const LinearBlock& linear,
+                    const PartialRoot& root) {
     BlockSolve solve{by_formula(formula, root), {}};
+    if (solve.result.solutions.empty()) solve.result = by_least_squares(linear, root);
     if (solve.result.solutions.empty()) solve.result = followed(block, root);
     for (const Solution& solution : solve.result.solutions) {
       solve.values.push_back(values_of(solution));
@@ -306,6 +311,24 @@ class Stages {
     result.paths.tracked = result.paths.finite = roots->size();
     result.start.kind = "formula";
     result.solutions = std::move(*roots);
+    return result;
+  }
+
+  /// Linear equations that contradict each other have no root: what they leave least of misses them
+  /// when all equations are checked, and a pose may be near. Without solutions where they do not.
+  SolveResult by_least_squares(const LinearBlock& linear, const PartialRoot& root) {
+    SolveResult result;
+    auto x = linear.least_squares(root);
+    if (!x) return result;
+    run_.is_proved = false;
+    result.complete = true;
+    result.reduced.total_degree = 1;
+    result.paths.tracked = result.paths.finite = 1;
+    result.start.kind = "formula";
+    Solution& least = result.solutions.emplace_back();
+    least.x = std::move(*x);
+    least.condition = 1;
+    least.multiplicity = 1;
     return result;
   }
 
@@ -365,6 +388,7 @@ class Stages {
     run_.is_proved = run_.is_proved && prover_.is_on() &&
                      has_proved_bound(result, children, bound,
                                       root.proof == nullptr && prover_.has_general_numbers());
+    if (has_blocks_above(block)) merge_parted(block, root, result.solutions, children);
     for (PartialRoot& child : children) {
       if (!is_excluded(child, block)) next.push_back(std::move(child));
     }
@@ -387,6 +411,68 @@ class Stages {
           return !is_excluded_from_sets(child_of(root, block, on_set, values_of(on_set)), block);
         });
     if (is_dependent || has_set) note_set(root);
+  }
+
+  /// Whether others than lone equations come after it.
+  bool has_blocks_above(const Block& block) const {
+    return std::any_of(blocks_.begin(), blocks_.end(), [&](const Block& later) {
+      return &later > &block && !LoneEquation::is_one(formulation_.system, later);
+    });
+  }
+
+  /// Two simple roots of a block that rounding may have made of a double one are that: a cluster of
+  /// two. Else the blocks above part anew, by the square root of what parts these, and what is one
+  /// root looks like four. Of the last block poses tell.
+  void merge_parted(const Block& block, const PartialRoot& before,
+                    const std::vector<Solution>& solutions,
+                    std::vector<PartialRoot>& children) const {
+    // Roots beside each other have a condition as large as they are near.
+    constexpr double kIllConditioned = 1e7;
+    constexpr double kExplained = 1e6;
+    constexpr double kMeasured = 1 / std::numeric_limits<double>::epsilon();
+    std::vector<std::size_t> parted;
+    for (std::size_t k = 0; k < children.size(); ++k) {
+      const bool is_simple = !solutions[k].singular && children[k].proof == nullptr;
+      if (is_simple && solutions[k].condition >= kIllConditioned) parted.push_back(k);
+    }
+    std::vector<bool> is_merged(children.size());
+    for (auto i = parted.begin(); i != parted.end(); ++i) {
+      if (is_merged[*i]) continue;
+      const auto other = std::find_if(i + 1, parted.end(), [&](std::size_t j) {
+        const double gap = max_distance(solutions[*i].x, solutions[j].x);
+        const double condition = std::max(solutions[*i].condition, solutions[j].condition);
+        if (is_merged[j] || gap * std::min(condition, kMeasured) > kExplained) return false;
+        return merge(block, children[j], gap, children[*i]);
+      });
+      if (other == parted.end()) continue;
+      children[*i].condition = before.condition;
+      is_merged[*other] = true;
+    }
+    std::size_t k = 0;
+    std::erase_if(children, [&](const PartialRoot&) { return is_merged[k++]; });
+  }
+
+  /// False where the block's equations do not vanish between the two.
+  bool merge(const Block& block, const PartialRoot& other, double gap, PartialRoot& into) const {
+    PartialRoot between = into;
+    for (const std::size_t v : block.variables) {
+      const Complex mean = 0.5 * (into.value[v]->rounded + other.value[v]->rounded);
+      between.value[v] = std::make_shared<const Known>(exactly(mean));
+    }
+    Formulation part = formulation_;
+    part.system.polynomials.clear();
+    for (const std::size_t e : block.equations) {
+      part.system.polynomials.push_back(formulation_.system.polynomials[e]);
+    }
+    Point x;
+    for (const KnownValue& value : between.value) x.push_back(value ? value->rounded : 0);
+    if (ResidualOfRoots(part)(x) > rounding_left(formulation_)) return false;
+    into = std::move(between);
+    into.multiplicity += other.multiplicity;
+    into.singular = into.cluster = true;
+    into.isolated = false;
+    into.accuracy = std::max({into.accuracy, other.accuracy, gap});
+    return true;
   }
 
   PartialRoot child_of(const PartialRoot& root, const Block& block, const Solution& solution,
@@ -485,6 +571,17 @@ bool may_be_real(const Formulation& formulation, const PartialRoot& root) {
     apart = std::max(apart, std::abs(x - std::conj(image->rounded)));
   }
   return apart <= (root.singular ? kHoldsSingular : kHolds) * size;
+}
+
+bool is_rounded(const Formulation& formulation) {
+  const System& f = formulation.system;
+  return formulation.has_rounded_frames || f.polynomials.size() > f.variables.size();
+}
+
+double rounding_left(const Formulation& formulation) {
+  constexpr double kOfSolution = 1e-15;
+  constexpr double kOfCoefficients = 1e-14;
+  return is_rounded(formulation) ? kOfCoefficients : kOfSolution;
 }
 
 void add_solving(const SolveTime& part, SolveTime& sum) {

@@ -81,6 +81,13 @@ inline constexpr double kUndetermined = 0x1p45;
 /// False where the image of a value that is known differs from it.
 bool may_be_real(const Formulation& formulation, const PartialRoot& root);
 
+/// Rounding of frames, or in redundant equations of the file's numbers, moves roots.
+bool is_rounded(const Formulation& formulation);
+
+/// Of the terms of an equation, at its roots: what rounding leaves of the solution alone, or of a
+/// file's numbers and of what frames are made of.
+double rounding_left(const Formulation& formulation);
+
 /// Adds the seconds of starting, tracking and refining: what solves one after another have in
 /// common.
 void add_solving(const SolveTime& part, SolveTime& sum);
