@@ -114,7 +114,7 @@ class Stages {
     SharedAbove<BlockSolve> solves(formulation_.system, block);
     Stage stage;
     stage.group = group_name(block);
-    const bool was_proved = run_.is_proved;
+    const Before before{run_.is_proved, run_.complete, run_.failures.size()};
     std::vector<PartialRoot> next;
     for (const PartialRoot& root : run_.roots) {
       if (stop_) run_.complete = false;
@@ -127,7 +127,9 @@ class Stages {
       if (!is_new) ++shared_;
       add_roots(block, formula.bound(), solve, root, stage, next);
     }
-    if (is_of_theorem(block)) settle_by_theorem(was_proved, next, stage);
+    if (const auto bound = bound_of(block); bound && run_.roots.size() == 1) {
+      settle_by_bound(*bound, before, next, stage);
+    }
     run_.paths += stage.paths;
     run_.stages.push_back(std::move(stage));
     run_.roots = std::move(next);
@@ -162,25 +164,45 @@ class Stages {
            block.equations.back() + 1 == theorem->unknowns;
   }
 
+  /// What was so before a block.
+  struct Before {
+    bool is_proved;
+    bool is_complete;
+    std::size_t failures;
+  };
+
+  /// No more isolated poses than this are roots of the block.
+  std::optional<Formulation::Bound> bound_of(const Block& block) const {
+    if (is_of_theorem(block)) {
+      return Formulation::Bound{formulation_.theorem->of, {}, formulation_.theorem->most};
+    }
+    const auto& bounds = formulation_.bounds;
+    const auto at = std::find_if(bounds.begin(), bounds.end(), [&](const auto& bound) {
+      return bound.unknowns == block.variables;
+    });
+    return at == bounds.end() ? std::nullopt : std::optional(*at);
+  }
+
   /// Where as many poses are proved as a theorem allows, paths in doubt lead to none.
-  void settle_by_theorem(bool was_proved, const std::vector<PartialRoot>& poses, Stage& stage) {
-    const Formulation::Theorem& theorem = *formulation_.theorem;
-    if (poses.size() < theorem.most) return;
+  void settle_by_bound(const Formulation::Bound& bound, const Before& before,
+                       const std::vector<PartialRoot>& poses, Stage& stage) {
+    if (poses.size() < bound.most) return;
     const bool all_proved = std::all_of(
         poses.begin(), poses.end(), [](const PartialRoot& root) { return root.proof != nullptr; });
     if (!all_proved) return;
-    if (poses.size() > theorem.most) {
-      throw std::logic_error(std::to_string(poses.size()) + " poses are proved, but " + theorem.of +
-                             " has no more than " + std::to_string(theorem.most));
+    if (poses.size() > bound.most) {
+      throw std::logic_error(std::to_string(poses.size()) + " poses are proved, but " + bound.of +
+                             " has no more than " + std::to_string(bound.most));
     }
-    run_.is_proved = was_proved;
-    if (run_.complete) return;
+    run_.is_proved = before.is_proved;
+    if (run_.complete == before.is_complete) return;
     stage.paths.not_needed += std::exchange(stage.paths.failed, 0);
-    run_.left_out.push_back({counted(run_.failures.size(), "path") + " that were in doubt",
-                             counted(theorem.most, "pose") + " are proved, and " + theorem.of +
-                                 " has no more: they lead to no other"});
-    run_.failures.clear();
-    run_.complete = true;
+    run_.left_out.push_back(
+        {counted(run_.failures.size() - before.failures, "path") + " that were in doubt",
+         counted(bound.most, "pose") + " are proved, and " + bound.of +
+             " has no more: they lead to no other"});
+    run_.failures.resize(before.failures);
+    run_.complete = before.is_complete;
   }
 
   /// The block has a set of roots of positive dimension above the root.
@@ -206,28 +228,39 @@ class Stages {
     return found;
   }
 
-  /// Whether the root is no pose, as the block's unknowns say; counted where so.
-  bool is_excluded(const PartialRoot& root, const Block& block) {
-    if (&block != block_of_exclusions_) {
-      exclusions_ = exclusions_of(block);
-      block_of_exclusions_ = &block;
-    }
-    if (exclusions_.empty()) return false;
+  static std::vector<std::optional<Complex>> rounded_values(const PartialRoot& root) {
     std::vector<std::optional<Complex>> values;
     for (const KnownValue& value : root.value) {
       values.push_back(value ? std::optional(value->rounded) : std::nullopt);
     }
+    return values;
+  }
+
+  /// That the root is no pose, as the block's unknowns say; nullptr where it may be one.
+  const Formulation::Exclusion* exclusion_at(const PartialRoot& root, const Block& block) {
+    if (&block != block_of_exclusions_) {
+      exclusions_ = exclusions_of(block);
+      block_of_exclusions_ = &block;
+    }
+    if (exclusions_.empty()) return nullptr;
+    const std::vector<std::optional<Complex>> values = rounded_values(root);
     for (const Formulation::Exclusion* const exclusion : exclusions_) {
       const auto share = share_left(*exclusion, values);
       if (!share || !(*share <= kNearExclusion)) continue;
       const std::optional<bool> proved = prover_.vanishes(root.proof, *exclusion);
-      if (!proved.value_or(root.singular || *share <= kVanishes)) continue;
-      // Rounding that moves the root as far as it likes may have made it no pose.
-      if (root.condition >= kUndetermined) run_.is_proved = false;
-      run_.excluded[exclusion->reason] += root.multiplicity;
-      return true;
+      if (proved.value_or(root.singular || *share <= kVanishes)) return exclusion;
     }
-    return false;
+    return nullptr;
+  }
+
+  /// Whether the root is no pose; counted where so.
+  bool is_excluded(const PartialRoot& root, const Block& block) {
+    const Formulation::Exclusion* const exclusion = exclusion_at(root, block);
+    if (!exclusion) return false;
+    // Rounding that moves the root as far as it likes may have made it no pose.
+    if (root.condition >= kUndetermined) run_.is_proved = false;
+    run_.excluded[exclusion->reason] += root.multiplicity;
+    return true;
   }
 
   /// Whether all unknowns of a block's lone equation are known above the root, but its own.
@@ -364,6 +397,9 @@ class Stages {
     if (paths && *paths <= kPathsForOneThread) options.threads = 1;
     const bool are_few = paths && *paths <= kPathsWithoutSearch;
     if (options.start == StartKind::automatic && are_few) options.start = StartKind::total_degree;
+    if (!start && options.precision == Precision::automatic && prover_.is_on()) {
+      if (auto result = settled_in_double(f, block, root, options)) return std::move(*result);
+    }
     SolveResult result = start ? solve_from(f, *start, tracker_, options, stop_)
                                : solve(f, tracker_, options, stop_);
     if (start && !result.complete && !stop_) {
@@ -372,6 +408,26 @@ class Stages {
       result = solve(f, tracker_, options_, stop_);
     }
     return result;
+  }
+
+  /// Where a theorem bounds the poses and as many are proved, paths in doubt need no more digits.
+  std::optional<SolveResult> settled_in_double(const System& f, const Block& block,
+                                               const PartialRoot& root, SolveOptions options) {
+    const auto bound = bound_of(block);
+    if (!bound) return std::nullopt;
+    options.precision = Precision::double_precision;
+    SolveResult result = solve(f, tracker_, options, stop_);
+    if (result.complete || stop_) return result;
+    const auto is_proved_pose = [&](const Solution& solution) {
+      const PartialRoot child = child_of(root, block, solution, values_of(solution));
+      return child.proof && !exclusion_at(child, block);
+    };
+    const auto& solutions = result.solutions;
+    const auto proved = std::count_if(solutions.begin(), solutions.end(), is_proved_pose);
+    if (static_cast<std::uint64_t>(proved) >= bound->most) return result;
+    run_.work += result.work;
+    add_solving(result.time, run_.time);
+    return std::nullopt;
   }
 
   /// The roots of its solve above this one, accounted as if nothing else stood above it.

@@ -77,7 +77,11 @@ class LoopEquations {
     const MovingPose rest = rest_behind(element(0) * element(1) * element(2) * element(3));
     in_space(rest, outer);
     const std::array<Polynomial, 4> c = coordinates_in(outer, rest);
-    if (lies_on_quadric(e(4), e(5), frame_.length())) add_quadric(frame_, e(4), c);
+    if (lies_on_quadric(e(4), e(5), frame_.length())) {
+      add_quadric(frame_, e(4), c);
+    } else {
+      bound_closures();
+    }
     add_half_angles(frame_, e(4), e(5), c);
   }
 
@@ -134,6 +138,18 @@ class LoopEquations {
   MovingPose element(std::size_t k) const { return element_pose(e(k)); }
   MovingPose whole() const { return to_moving(loop_.whole); }
   DyadSpace dyad_at(std::size_t k) const { return dyad_space(e(k), e(k + 1), frame_.length()); }
+
+  /// A general loop of six turns has 16 closures, and so none has more that are isolated; a slide is
+  /// a turn about a line at infinity. Of the outer dyad's half angles there is one pair for each.
+  void bound_closures() {
+    constexpr std::uint64_t kMostClosures = 16;
+    Formulation::Bound bound{"a loop of six joints", {}, kMostClosures};
+    for (std::size_t k = 0; k < 4; ++k) {
+      bound.unknowns.push_back(e(k).unknown.terms.front().monomial.front().variable);
+    }
+    std::sort(bound.unknowns.begin(), bound.unknowns.end());
+    frame_.bound(std::move(bound));
+  }
 
   /// What the other elements have to be, which close the loop: whole^-1 before = conj(rest).
   MovingPose rest_behind(const MovingPose& before) const {

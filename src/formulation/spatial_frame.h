@@ -55,6 +55,7 @@ class SpatialFrame : public Frame {
   /// Adds what waits as a check.
   void add_checks();
   void exclude(Polynomial p, const std::string& reason);
+  void bound(Formulation::Bound bound) { result().bounds.push_back(std::move(bound)); }
   /// Notes where a group stands: at this pose in a placed one.
   void place(std::size_t group, std::size_t parent, const MovingPose& relative);
 

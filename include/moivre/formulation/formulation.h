@@ -118,6 +118,14 @@ struct Formulation {
     std::function<GeneralMember()> general;  ///< one with as many; made where it is asked for
   };
   std::optional<Theorem> theorem;
+  /// Another one, on a block of these unknowns, ascending: no member of the class has more isolated
+  /// poses, and each is one root of the block.
+  struct Bound {
+    std::string of;  ///< "a loop of six joints"
+    std::vector<std::size_t> unknowns;
+    std::uint64_t most = 0;
+  };
+  std::vector<Bound> bounds;
   std::vector<std::pair<std::string, std::string>> left_out;  ///< what was left out, and why
 };
 
