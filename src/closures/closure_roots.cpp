@@ -335,10 +335,35 @@ bool shows_motion(ClosureSearch& search) {
   return true;
 }
 
+/// Whether there is no closure, whatever the paths lead to: they tell near misses, and only a fit
+/// asks for all of these.
+bool is_refuted_alone(const ClosureSearch& search) {
+  return !search.formulation.contradictions.empty() && !search.mechanism.fit;
+}
+
 StageRun solve_blocks(const ClosureSearch& search, const Formulation& formulation,
                       const std::vector<Block>& blocks, RootProver& prover) {
-  return solve_blocks(formulation, blocks, search.tracker, search.options.solve, search.stop,
-                      prover);
+  SolveOptions options = search.options.solve;
+  const bool is_free = options.precision == Precision::automatic;
+  if (is_free && is_refuted_alone(search)) options.precision = Precision::double_precision;
+  return solve_blocks(formulation, blocks, search.tracker, options, search.stop, prover);
+}
+
+/// Paths in doubt lead to no closure where there is none.
+void settle_refuted(ClosureSearch& search) {
+  ClosureResult& result = search.result;
+  if (!is_refuted_alone(search) || search.stop) return;
+  search.undecided_motion = false;
+  if (result.complete) return;
+  result.complete = true;
+  result.paths.not_needed += std::exchange(result.paths.failed, 0);
+  for (Stage& stage : result.stages) {
+    stage.paths.not_needed += std::exchange(stage.paths.failed, 0);
+  }
+  if (result.failures.empty()) return;
+  result.left_out.push_back({counted(result.failures.size(), "path") + " that were in doubt",
+                             "constraints contradict each other: they lead to no closure"});
+  result.failures.clear();
 }
 
 /// Those of the equations that say something of known unknowns alone.
@@ -554,6 +579,7 @@ void find_roots(ClosureSearch& search) {
     solve_free(search, structure);
   } else {
     solve_determined(search, structure);
+    settle_refuted(search);
   }
   search.lost_images = lost_images(search.formulation, search.result.solutions);
 }

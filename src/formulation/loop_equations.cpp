@@ -2,6 +2,7 @@
 // Where a loop is cut, and the equations of the cut.
 #include "loop_equations.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -26,6 +27,14 @@ struct Cut {
 // A dyad whose 3-space is nearer to Study's quadric than this lies in it: its axes meet or are
 // parallel.
 constexpr double kOnQuadric = 1e-10;
+
+// Directions farther apart than this are not one: what a dozen frames leave of rounding.
+constexpr double kParallel = 1e-13;
+
+Eigen::Vector3d direction_of(const ExactPose& axis) {
+  const Quaternion<double> q = to_double(axis).q;
+  return Eigen::Vector3d(q[1], q[2], q[3]).normalized();
+}
 
 bool lies_on_quadric(const LoopElement& a, const LoopElement& b, double length) {
   return distance_from_quadric(a, b, length) <= kOnQuadric;
@@ -139,8 +148,9 @@ class LoopEquations {
   MovingPose whole() const { return to_moving(loop_.whole); }
   DyadSpace dyad_at(std::size_t k) const { return dyad_space(e(k), e(k + 1), frame_.length()); }
 
-  /// A general loop of six turns has 16 closures, and so none has more that are isolated; a slide is
-  /// a turn about a line at infinity. Of the outer dyad's half angles there is one pair for each.
+  /// A general loop of six turns has 16 closures [LeeLiang88], and so none has more that are
+  /// isolated; a slide is a turn about a line at infinity. The outer dyad's half angles are one pair
+  /// for each.
   void bound_closures() {
     constexpr std::uint64_t kMostClosures = 16;
     Formulation::Bound bound{"a loop of six joints", {}, kMostClosures};
@@ -201,6 +211,29 @@ void stated(SpatialFrame& frame, const JointLoop& loop) {
 }
 
 }  // namespace
+
+double turn_not_made_up(const JointLoop& loop) {
+  double most = 0;
+  for (const JointLoop& way : all_ways(loop)) {
+    std::vector<Eigen::Vector3d> directions;
+    for (const std::size_t k : turns_of(way)) {
+      const Eigen::Vector3d direction = direction_of(way.elements[k].axis);
+      const bool is_new =
+          directions.empty() || directions.back().cross(direction).norm() > kParallel;
+      if (is_new) directions.push_back(direction);
+    }
+    if (directions.empty() || directions.size() > 2) continue;
+    const Quaternion<double> q = to_double(way.whole).q;
+    const Eigen::Quaterniond whole = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
+    const Eigen::Vector3d& a = directions.front();
+    const Eigen::Vector3d& b = directions.back();
+    const Eigen::Vector3d turned = whole * b;
+    // A single turn leaves its own direction; two leave the angle between theirs.
+    const double left = directions.size() == 1 ? (turned - b).norm() : std::abs(a.dot(turned - b));
+    most = std::max(most, left);
+  }
+  return most;
+}
 
 LoopForm form_of(const JointLoop& loop, double length) {
   const std::size_t turns = turns_of(loop).size();

@@ -15,6 +15,11 @@ struct LoopForm {
   void (*add_equations)(SpatialFrame& frame, const JointLoop& loop);
 };
 
+/// By how much turns about no more than two directions fail to make up the loop's own, whatever
+/// their angles; 0 where there are more. Parallel axes are one direction, whatever slides are
+/// between them.
+double turn_not_made_up(const JointLoop& loop);
+
 /// For three to six elements, whatever their o and unknowns are.
 LoopForm form_of(const JointLoop& loop, double length);
 

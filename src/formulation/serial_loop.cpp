@@ -121,6 +121,13 @@ std::optional<std::vector<Tie>> loop_of(const RigidGroups& groups, const Part& p
 void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<Tie>& loop) {
   frame.note_rounding();
   JointLoop joints = at_rest(groups, loop);
+  // What is told from rounding by far.
+  constexpr double kContradicts = 1e-8;
+  const double left = turn_not_made_up(joints);
+  if (left > kContradicts) {
+    frame.add_contradiction(
+        "a loop turns about two directions at most, which do not make up its turn", Rational(left));
+  }
   LoopForm form = form_of(joints, frame.length());
   for (LoopElement& element : joints.elements) {
     add_unknown(frame, form.has_linear_slides, element);

@@ -60,6 +60,11 @@ void SpatialFrame::add_equation(const std::string& name, Polynomial p) {
   enter(name, std::move(p));
 }
 
+void SpatialFrame::add_contradiction(const std::string& clause, const Rational& left) {
+  result().contradictions.push_back(clause);
+  enter("loop", real_constant(left));
+}
+
 void SpatialFrame::add_check(const std::string& name, Polynomial p) {
   checks_.emplace_back(name, std::move(p));
 }

@@ -49,6 +49,8 @@ class SpatialFrame : public Frame {
   void note_rounding() { result().is_exact = false; }
   /// Nothing where p is zero; a contradiction where it is another number.
   void add_equation(const std::string& name, Polynomial p);
+  /// What is left of an equation without unknowns, and why there is no closure.
+  void add_contradiction(const std::string& clause, const Rational& left);
   /// An equation that the others imply but for a factor. It comes behind all others, so that it is
   /// checked, not solved, where they suffice.
   void add_check(const std::string& name, Polynomial p);

@@ -3,10 +3,10 @@
 // parallel lines, a set that is there, several roots that are one?
 #include <gtest/gtest.h>
 
-#include <Eigen/Core>
-#include <algorithm>
+#include <string>
 
 #include "mechanisms.h"
+#include "moivre/certify/certifier.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 namespace moivre {
@@ -362,6 +362,135 @@ start = 0.0)toml");
   EXPECT_TRUE(result.complete) << result.message;
   EXPECT_EQ(result.counts.real, 10U);
   EXPECT_EQ(result.counts.complex, 36U);
+}
+
+/// Flat but for rounding: eight paths go to half angles of tangent i, and no digits tell which.
+TEST(RoundedLoops, NoMoreThanSixteenClosuresAreLookedFor) {
+  if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
+  const Mechanism mechanism = mechanism_text(R"toml(
+space = "spatial"
+[ground.points]
+P0 = [0.0, 0.0, 0.0]
+P11 = [6.0, 0.0, 0.0]
+[body.b1.points]
+P1 = [-2.047, 1.348, 0.361]
+P2 = [-0.165, 6.443, -2.188]
+[body.b2.points]
+P3 = [0.409, 0.1, 5.575]
+P4 = [-2.346, 2.568, -3.716]
+[body.b3.points]
+P5 = [-4.344, -2.273, -0.145]
+P6 = [-6.221, -2.865, 0.208]
+[body.b4.points]
+P7 = [2.329, 4.668, 2.024]
+P8 = [-0.914, -2.801, -1.81]
+[body.b5.points]
+P9 = [1.994, -3.802, 0.11]
+P10 = [2.391, -5.717, 0.53]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.P0", "b1.P1"]
+axis = [[0.0, 0.6, 0.8], [0.542, 0.207, 0.814]]
+[[joint]]
+type = "revolute"
+name = "j1"
+at = ["b1.P2", "b2.P3"]
+axis = [[0.909, 0.409, 0.076], [-0.176, 0.52, 0.836]]
+[[joint]]
+type = "universal"
+name = "j2"
+at = ["b2.P4", "b3.P5"]
+axis = [[0.275, -0.247, 0.929], [-0.166, -0.06, -0.984]]
+[[joint]]
+type = "prismatic"
+name = "j3"
+at = ["b3.P6", "b4.P7"]
+axis = [[0.939, 0.296, -0.177], [-0.36, -0.83, -0.426]]
+turn = 0.833
+[[joint]]
+type = "revolute"
+name = "j4"
+at = ["b4.P8", "b5.P9"]
+axis = [[-0.623, -0.126, 0.772], [-0.066, 0.2, 0.977]]
+[[joint]]
+type = "revolute"
+name = "j5"
+at = ["b5.P10", "ground.P11"]
+axis = [[-0.663, -0.741, 0.107], [0.6, 0.0, 0.8]]
+[[driver]]
+angle = "j0"
+start = 0.5196159424088633)toml");
+  const ClosureResult result = closures_of(mechanism);
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.counts.complex, 16U);
+  EXPECT_EQ(result.paths.failed, 0U);
+  EXPECT_EQ(result.paths.not_needed, 8U);
+  EXPECT_EQ(result.completeness, RootCompleteness::proved);
+}
+
+/// Hinges in pairs that are parallel, with three decimals: two angles for a turn of three
+/// freedoms.
+TEST(RoundedLoops, TurnsAboutTwoDirectionsDoNotMakeUpAnyTurn) {
+  const Mechanism mechanism = mechanism_text(R"toml(
+space = "spatial"
+[ground.points]
+P0 = [1.0, -1.0, -3.0]
+P11 = [-3.0, 0.0, 2.5]
+[body.b1.points]
+P1 = [1.847, -1.664, -1.052]
+P2 = [2.219, 0.682, 1.035]
+[body.b2.points]
+P3 = [1.352, -0.722, -0.537]
+P4 = [0.284, 3.35, -2.349]
+[body.b3.points]
+P5 = [-2.218, -3.983, 0.223]
+P6 = [-3.658, 0.096, -2.476]
+[body.b4.points]
+P7 = [1.736, -2.503, 0.45]
+P8 = [2.574, -1.265, -1.554]
+[body.b5.points]
+P9 = [-0.469, 1.275, 0.943]
+P10 = [-0.827, -2.021, 3.393]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.P0", "b1.P1"]
+axis = [[0.6, 0.0, 0.8], [0.728, 0.437, 0.528]]
+[[joint]]
+type = "revolute"
+name = "j1"
+at = ["b1.P2", "b2.P3"]
+axis = [[0.186, 0.493, 0.85], [0.108, 0.789, 0.605]]
+[[joint]]
+type = "revolute"
+name = "j2"
+at = ["b2.P4", "b3.P5"]
+axis = [[0.108, 0.789, 0.605], [-0.031, -0.951, -0.309]]
+[[joint]]
+type = "prismatic"
+name = "j3"
+at = ["b3.P6", "b4.P7"]
+axis = [[0.99, 0.013, -0.139], [-0.551, 0.479, -0.683]]
+turn = 2.186
+[[joint]]
+type = "revolute"
+name = "j4"
+at = ["b4.P8", "b5.P9"]
+axis = [[0.832, 0.26, -0.49], [-0.967, -0.247, -0.066]]
+[[joint]]
+type = "cylindrical"
+name = "j5"
+at = ["b5.P10", "ground.P11"]
+axis = [[-0.967, -0.247, -0.066], [0.0, 0.0, 1.0]]
+[[driver]]
+angle = "j0"
+start = 0.268692466846703)toml");
+  const ClosureResult result = closures_of(mechanism);
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.counts.complex, 0U);
+  EXPECT_NE(result.message.find("turns about two directions at most"), std::string::npos)
+      << result.message;
 }
 
 }  // namespace
