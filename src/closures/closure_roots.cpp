@@ -3,6 +3,7 @@
 #include "closure_roots.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
@@ -430,33 +431,62 @@ Point values_of(const PartialRoot& root) {
   return x;
 }
 
-/// Two roots beside each other have a condition as large as they are near: at a dead point whose
-/// two roots rounding has parted by next to nothing it says no more than that. They are a cluster
-/// of two.
-void merge_pairs(const Formulation& formulation, std::vector<PartialRoot>& roots) {
-  // Of the condition times the distance; on a set rounding leaves roots anywhere. A condition that
-  // double cannot measure, of a pivot that rounding made 0, is as large as it can.
+/// Of a root and others beside it that make a multiple root of its condition: the others. m roots
+/// within a gap have a condition of its power m - 1; on a set rounding leaves roots anywhere. A
+/// condition that double cannot measure, of a pivot that rounding made 0, is as large as it can.
+std::vector<std::size_t> parted_from(const Formulation& formulation,
+                                     const std::vector<PartialRoot>& roots, std::size_t i) {
   constexpr double kExplained = 1e6;
   constexpr double kMeasured = 1 / std::numeric_limits<double>::epsilon();
+  // Farther apart than a fourth root of rounding by no more than some.
+  constexpr double kFarApart = 1e-3;
+  std::vector<std::pair<double, std::size_t>> others;
+  for (std::size_t j = i + 1; j < roots.size(); ++j) {
+    if (roots[j].singular || roots[j].condition < kUndetermined) continue;
+    const double gap = apart(formulation, values_of(roots[i]), values_of(roots[j]));
+    if (gap <= kFarApart) others.emplace_back(gap, j);
+  }
+  std::sort(others.begin(), others.end());
+  double condition = roots[i].condition;
+  std::vector<std::size_t> parted;
+  for (const auto& [gap, j] : others) {
+    parted.push_back(j);
+    condition = std::max(condition, roots[j].condition);
+    const double explained = std::pow(gap, static_cast<double>(parted.size()));
+    if (explained * std::min(condition, kMeasured) <= kExplained) return parted;
+  }
+  return {};
+}
+
+/// Roots beside each other have a condition that is large as they are near: at a dead point whose
+/// roots rounding has parted by next to nothing it says no more than that. They are a cluster.
+void merge_parted(const Formulation& formulation, std::vector<PartialRoot>& roots) {
   for (std::size_t i = 0; i < roots.size(); ++i) {
     if (roots[i].singular || roots[i].condition < kUndetermined) continue;
-    for (std::size_t j = i + 1; j < roots.size(); ++j) {
-      if (roots[j].singular || roots[j].condition < kUndetermined) continue;
-      const double gap = apart(formulation, values_of(roots[i]), values_of(roots[j]));
-      const double condition = std::max(roots[i].condition, roots[j].condition);
-      if (gap * std::min(condition, kMeasured) > kExplained) continue;
-      for (std::size_t v = 0; v < roots[i].value.size(); ++v) {
-        KnownValue& value = roots[i].value[v];
-        const Complex mean = 0.5 * (value->rounded + roots[j].value[v]->rounded);
-        if (value != roots[j].value[v]) value = std::make_shared<const Known>(exactly(mean));
+    std::vector<std::size_t> parted = parted_from(formulation, roots, i);
+    if (parted.empty()) continue;
+    std::sort(parted.begin(), parted.end());
+    const double share = 1.0 / static_cast<double>(parted.size() + 1);
+    for (std::size_t v = 0; v < roots[i].value.size(); ++v) {
+      KnownValue& value = roots[i].value[v];
+      Complex sum = value->rounded;
+      bool is_shared = true;
+      for (const std::size_t j : parted) {
+        sum += roots[j].value[v]->rounded;
+        is_shared = is_shared && roots[j].value[v] == value;
       }
+      if (!is_shared) value = std::make_shared<const Known>(exactly(share * sum));
+    }
+    for (const std::size_t j : parted) {
+      const double gap = apart(formulation, values_of(roots[i]), values_of(roots[j]));
       roots[i].multiplicity += roots[j].multiplicity;
-      roots[i].singular = roots[i].cluster = true;
-      roots[i].isolated = false;
-      roots[i].accuracy = std::max({roots[i].accuracy, roots[j].accuracy, gap});
-      roots[i].proof = nullptr;
-      roots.erase(roots.begin() + static_cast<std::ptrdiff_t>(j));
-      break;
+      roots[i].accuracy = std::max({roots[i].accuracy, roots[j].accuracy, 2 * gap});
+    }
+    roots[i].singular = roots[i].cluster = true;
+    roots[i].isolated = false;
+    roots[i].proof = nullptr;
+    for (auto j = parted.rbegin(); j != parted.rend(); ++j) {
+      roots.erase(roots.begin() + static_cast<std::ptrdiff_t>(*j));
     }
   }
 }
@@ -465,7 +495,7 @@ void merge_pairs(const Formulation& formulation, std::vector<PartialRoot>& roots
 /// or of the roots of the blocks before, where no proof knows these exactly. A multiple root has
 /// its own judges, or its pose judges: at a dead point in space it stands still.
 void take_off_sets(const ClosureSearch& search, const Formulation& formulation, StageRun& run) {
-  merge_pairs(formulation, run.roots);
+  merge_parted(formulation, run.roots);
   std::erase_if(run.roots, [&](const PartialRoot& root) {
     const bool is_known =
         formulation.is_exact && (root.proof != nullptr || root.isolated || root.singular);

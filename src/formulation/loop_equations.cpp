@@ -149,7 +149,7 @@ class LoopEquations {
   DyadSpace dyad_at(std::size_t k) const { return dyad_space(e(k), e(k + 1), frame_.length()); }
 
   /// A general loop of six turns has 16 closures [LeeLiang88], and so none has more that are
-  /// isolated; a slide is a turn about a line at infinity. The outer dyad's half angles are one pair
+  /// isolated; a slide is a turn about a line at infinity. The outer dyad has one pair of angles
   /// for each.
   void bound_closures() {
     constexpr std::uint64_t kMostClosures = 16;

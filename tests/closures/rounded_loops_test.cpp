@@ -3,6 +3,7 @@
 // parallel lines, a set that is there, several roots that are one?
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "mechanisms.h"
@@ -362,6 +363,63 @@ start = 0.0)toml");
   EXPECT_TRUE(result.complete) << result.message;
   EXPECT_EQ(result.counts.real, 10U);
   EXPECT_EQ(result.counts.complex, 36U);
+}
+
+/// Three roots of a dead point, which rounding parts by 1e-7.
+TEST(RoundedLoops, ThreeClosuresThatAreOneAreNoSet) {
+  const Mechanism mechanism = mechanism_text(R"toml(
+space = "spatial"
+[ground.points]
+P0 = [-4.0, -6.0, 2.0]
+P9 = [2.0, -6.0, 0.0]
+[body.b1.points]
+P1 = [-4.0, -6.0, 2.0]
+P2 = [-6.0, -6.0, 2.0]
+[body.b2.points]
+P3 = [-6.0, -6.0, 2.0]
+P4 = [4.0, -6.0, 0.0]
+[body.b3.points]
+P5 = [4.0, -6.0, 0.0]
+P6 = [4.0, -2.0, -4.0]
+[body.b4.points]
+P7 = [4.0, -2.0, -4.0]
+P8 = [2.0, -6.0, 0.0]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.P0", "b1.P1"]
+axis = [0.0, 0.0, 1.0]
+[[joint]]
+type = "universal"
+name = "j1"
+at = ["b1.P2", "b2.P3"]
+axis = [[0.6, 0.0, 0.8], [0.0, 1.0, 0.0]]
+[[joint]]
+type = "universal"
+name = "j2"
+at = ["b2.P4", "b3.P5"]
+axis = [[0.6, 0.0, 0.8], [0.0, 1.0, 0.0]]
+[[joint]]
+type = "revolute"
+name = "j3"
+at = ["b3.P6", "b4.P7"]
+axis = [0.0, 1.0, 0.0]
+[[joint]]
+type = "revolute"
+name = "j4"
+at = ["b4.P8", "ground.P9"]
+axis = [0.6, 0.0, 0.8]
+[[driver]]
+angle = "j0"
+start = 0.0)toml");
+  const ClosureResult result = closures_of(mechanism);
+  EXPECT_TRUE(result.complete) << result.message;
+  ASSERT_EQ(result.counts.real, 6U);
+  const auto drawn = std::find_if(result.closures.begin(), result.closures.end(),
+                                  [](const Closure& closure) { return closure.is_drawn; });
+  ASSERT_NE(drawn, result.closures.end());
+  EXPECT_TRUE(drawn->cluster);
+  EXPECT_EQ(drawn->multiplicity, 3U);
 }
 
 /// Flat but for rounding: eight paths go to half angles of tangent i, and no digits tell which.
