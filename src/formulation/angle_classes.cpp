@@ -18,7 +18,7 @@ AngleClasses::AngleClasses(std::size_t nodes) {
 }
 
 SharedAngle AngleClasses::find(std::size_t node) const {
-  SharedAngle angle{node, {}};
+  SharedAngle angle = up_[node];
   while (up_[angle.root].root != angle.root) {
     const SharedAngle& step = up_[angle.root];
     angle = {step.root, angle.factor * step.factor};

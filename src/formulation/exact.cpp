@@ -52,16 +52,25 @@ Integer fixed(const Rational& x) {
 bool is_whole_number(const Rational& x) { return denominator(x) == 1; }
 
 /// tan(r / 2) of an angle of at most an eighth of a turn, by the series of its cosine and sine:
-/// some forty terms, each right to the last of kWorkingBits.
+/// some forty terms, each right to two of the last of kWorkingBits.
 Rational half_tangent(const Integer& r) {
   const Integer one = Integer(1) << kWorkingBits;
+  const Integer angle = abs(r);
   Integer cosine = 0;
   Integer sine = 0;
   Integer term = one;
-  for (int k = 0; term != 0; term = rounded_ratio(term * r, one * ++k)) {
-    const int sign = k % 4 < 2 ? 1 : -1;
-    (k % 2 == 0 ? cosine : sine) += sign * term;
+  for (unsigned k = 0; term != 0;) {
+    Integer& sum = k % 2 == 0 ? cosine : sine;
+    if (k % 4 < 2) {
+      sum += term;
+    } else {
+      sum -= term;
+    }
+    term *= angle;
+    term >>= kWorkingBits;
+    term /= ++k;
   }
+  if (r < 0) sine = -sine;
   return ratio(rounded_ratio(sine << kTangentBits, one + cosine), Integer(1) << kTangentBits);
 }
 

@@ -16,7 +16,7 @@ Formulation formulate(const Mechanism& mechanism, double t) {
   if (is_typed(mechanism)) return isotropic_equations(mechanism, t);
   Formulation formulation = mechanism.space == Space::spatial ? spatial_bodies(mechanism, t)
                                                               : isotropic_bodies(mechanism, t);
-  formulation.length = Phi(mechanism).length();
+  formulation.length = largest_length(mechanism);
   return formulation;
 }
 

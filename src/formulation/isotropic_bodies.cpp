@@ -18,16 +18,29 @@
 namespace moivre {
 namespace {
 
+/// What each driver of an angle says at t; of other drivers nothing.
+std::vector<EnclosedUnit> driven_units(const Mechanism& mechanism, double t) {
+  std::vector<EnclosedUnit> units(mechanism.drivers.size());
+  for (std::size_t a = 0; a < units.size(); ++a) {
+    const Driver& driver = mechanism.drivers[a];
+    if (driver.kind != DriverKind::angle) continue;
+    units[a] = unit_at(driven_angle(driver.law, t, mechanism.units));
+  }
+  return units;
+}
+
 class Bodies {
  public:
-  Bodies(const Mechanism& mechanism, double t, JointEnds ends, KnownMotions known,
-         bool has_factors = false)
+  /// `driven`, driven_units() of the mechanism, outlives it.
+  Bodies(const Mechanism& mechanism, double t, const std::vector<EnclosedUnit>& driven,
+         JointEnds ends, KnownMotions known, bool has_factors = false)
       : mechanism_(mechanism),
         t_(t),
+        driven_(driven),
         ends_(std::move(ends)),
         known_(std::move(known)),
         frame_(names(mechanism), has_factors),
-        size_(Phi(mechanism).length()) {}
+        size_(largest_length(mechanism)) {}
 
   Formulation build() && {
     write();
@@ -83,11 +96,10 @@ class Bodies {
   }
 
   void hold_angles() {
-    for (const Driver& driver : mechanism_.drivers) {
+    for (std::size_t a = 0; a < driven_.size(); ++a) {
+      const Driver& driver = mechanism_.drivers[a];
       if (driver.kind != DriverKind::angle) continue;
-      frame_.hold_angle(driver.bodies[0], driver.bodies[1],
-                        unit_at(driven_angle(driver.law, t_, mechanism_.units)),
-                        "driver " + driver.name);
+      frame_.hold_angle(driver.bodies[0], driver.bodies[1], driven_[a], "driver " + driver.name);
     }
     for (const Joint& joint : mechanism_.joints) {
       if (traits(joint.type).turn != JointTurn::not_at_all) continue;
@@ -361,6 +373,7 @@ class Bodies {
 
   const Mechanism& mechanism_;
   double t_;
+  const std::vector<EnclosedUnit>& driven_;
   JointEnds ends_;
   KnownMotions known_;
   IsotropicFrame frame_;
@@ -371,16 +384,17 @@ class Bodies {
 }  // namespace
 
 Formulation isotropic_bodies(const Mechanism& mechanism, double t) {
+  const std::vector<EnclosedUnit> driven = driven_units(mechanism, t);
   JointEnds ends = typed_ends(mechanism);
   const KnownMotions known = known_motions(mechanism, t, [&](const KnownMotions& so_far) {
-    return Bodies(mechanism, t, ends, so_far).linear_slides();
+    return Bodies(mechanism, t, driven, ends, so_far).linear_slides();
   });
   if (has_shared_pins(mechanism)) {
-    ends = Bodies(mechanism, t, ends, known).ends_by_order_of_blocks();
+    ends = Bodies(mechanism, t, driven, ends, known).ends_by_order_of_blocks();
   }
-  Formulation formulation = Bodies(mechanism, t, ends, known).build();
-  formulation.enclosed = [mechanism, t, ends, known, plain = formulation] {
-    return Bodies(mechanism, t, ends, known, true).enclosed(plain);
+  Formulation formulation = Bodies(mechanism, t, driven, ends, known).build();
+  formulation.enclosed = [mechanism, t, driven, ends, known, plain = formulation] {
+    return Bodies(mechanism, t, driven, ends, known, true).enclosed(plain);
   };
   return formulation;
 }

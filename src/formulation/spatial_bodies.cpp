@@ -141,7 +141,7 @@ void read_poses(const RigidGroups& groups, PoseReading& poses) {
 
 Formulation spatial_bodies(const Mechanism& mechanism, double t) {
   RigidGroups groups = rigid_groups(mechanism, t);
-  const double length = Phi(mechanism).length();
+  const double length = largest_length(mechanism);
   const double meant_within = leave_out_links(groups, length);
   SpatialFrame frame(length, has_exact_frames(groups));
   add_ground_ties(frame, groups);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "faults.h"
 #include "moivre/mechanism/rules.h"
@@ -14,7 +15,7 @@ namespace {
 
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
-void check_body_name(const Body& body, std::size_t index, std::set<std::string>& taken,
+void check_body_name(const Body& body, std::size_t index, std::set<std::string_view>& taken,
                      Faults& faults) {
   // Reports escape what a name holds; only a file needs names that can be typed in it.
   if (index == 0 && body.name != "ground") {
@@ -28,11 +29,10 @@ void check_body_name(const Body& body, std::size_t index, std::set<std::string>&
 }
 
 void check_points(const Body& body, Space space, Faults& faults) {
-  std::set<std::string> taken;
+  std::set<std::string_view> taken;
   for (const BodyPoint& point : body.points) {
-    const std::string what = "point " + quoted(body.name + "." + point.name);
-    const auto fault = [&](const std::string& rule) {
-      faults.push_back({point.where, what + rule});
+    const auto fault = [&](const char* rule) {
+      faults.push_back({point.where, "point " + quoted(body.name + "." + point.name) + rule});
     };
     if (point.name.empty()) fault(": it has no name");
     if (!taken.insert(point.name).second) fault(" is there twice");
@@ -49,7 +49,7 @@ void check_bodies(const Mechanism& mechanism, Faults& faults) {
     faults.push_back({{}, "there is no ground: the first body is it"});
     return;
   }
-  std::set<std::string> taken;
+  std::set<std::string_view> taken;
   for (std::size_t k = 0; k < mechanism.bodies.size(); ++k) {
     check_body_name(mechanism.bodies[k], k, taken, faults);
     check_points(mechanism.bodies[k], mechanism.space, faults);
@@ -57,7 +57,7 @@ void check_bodies(const Mechanism& mechanism, Faults& faults) {
 }
 
 void check_unknowns(const Mechanism& mechanism, Faults& faults) {
-  std::set<std::string> taken;
+  std::set<std::string_view> taken;
   for (const Unknown& unknown : mechanism.unknowns) {
     if (unknown.name.empty()) faults.push_back({unknown.where, "an unknown has no name"});
     if (!taken.insert(unknown.name).second) {

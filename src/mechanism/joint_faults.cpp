@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numbers>
 #include <set>
+#include <string_view>
 
 #include "faults.h"
 #include "moivre/mechanism/joint_type.h"
@@ -21,7 +22,7 @@ struct Checked {
   void fault(const std::string& rule) const {
     faults.push_back({joint.where, to_string(joint.type) + " joint '" + joint.name + "' " + rule});
   }
-  void require(bool is_right, const std::string& rule) const {
+  void require(bool is_right, const char* rule) const {
     if (!is_right) fault(rule);
   }
 };
@@ -59,9 +60,9 @@ void check_axes(const Checked& at) {
   const int read = is_planar ? (has_line(at.joint.type) ? 1 : 0) : axis_count(at.joint.type);
   for (int k = 0; k < read; ++k) {
     const Eigen::Vector3d& axis = at.joint.axis[static_cast<std::size_t>(k)];
-    const std::string name = "axis[" + std::to_string(k) + "]";
-    at.require(is_unit(axis), "needs " + name + " of length 1");
-    at.require(!is_planar || axis.z() == 0, "is planar: " + name + " must have z = 0");
+    const auto name = [&] { return "axis[" + std::to_string(k) + "]"; };
+    if (!is_unit(axis)) at.fault("needs " + name() + " of length 1");
+    if (is_planar && axis.z() != 0) at.fault("is planar: " + name() + " must have z = 0");
   }
 }
 
@@ -124,9 +125,10 @@ bool is_whole_turn(const Spline& profile) {
 void check_transmission(const Checked& at) {
   const Gear& gear = at.joint.gear;
   // Whatever copies a joint renumbers its carrier, read or not.
-  const bool is_there = gear.carrier < at.mechanism.bodies.size();
-  at.require(is_there, "names carrier " + std::to_string(gear.carrier) + ", counted from 0, of " +
-                           std::to_string(at.mechanism.bodies.size()) + " bodies");
+  if (gear.carrier >= at.mechanism.bodies.size()) {
+    at.fault("names carrier " + std::to_string(gear.carrier) + ", counted from 0, of " +
+             std::to_string(at.mechanism.bodies.size()) + " bodies");
+  }
   if (!is_transmission(at.joint.type)) return;
   const auto is_wheel = [](int teeth) { return teeth != 0 && std::abs(teeth) <= kMostTeeth; };
   at.require(is_wheel(gear.teeth[0]) && is_wheel(gear.teeth[1]),
@@ -150,7 +152,7 @@ void check_transmission(const Checked& at) {
 }  // namespace
 
 void find_joint_faults(const Mechanism& mechanism, Faults& faults) {
-  std::set<std::string> taken;
+  std::set<std::string_view> taken;
   for (const Joint& joint : mechanism.joints) {
     const Checked at{mechanism, joint, faults};
     if (joint.name.empty()) at.fault("has no name");

@@ -120,6 +120,8 @@ VectorXd sizes_by(const Phi& phi, double length) {
 
 }  // namespace
 
+double largest_length(const Mechanism& mechanism) { return largest_of(lengths_of(mechanism)); }
+
 std::shared_ptr<const Constraint> joint_constraint(const Mechanism& mechanism, const Joint& joint,
                                                    const Dimension* moving) {
   return mechanism.space == Space::planar ? planar_joint(mechanism, joint, moving)
@@ -144,7 +146,7 @@ struct Phi::Line {
 Phi::Phi(const Mechanism& mechanism)
     : coordinates_(moivre::coordinates(of_whole_form(mechanism))),
       constraints_(joint_constraints(mechanism)),
-      length_(largest_of(lengths_of(mechanism))),
+      length_(largest_length(mechanism)),
       mean_length_(mean_of(lengths_of(mechanism))) {
   for (std::size_t body = 1; body < mechanism.bodies.size(); ++body) {
     group_names_.push_back(mechanism.bodies[body].name);

@@ -119,6 +119,8 @@ class Phi {
 /// Phi itself may be evaluated anywhere: at NaN it is NaN.
 void require_place(const Phi& phi, const Eigen::VectorXd& q, double t);
 
+/// phi.length(), where nothing else is asked of Phi.
+double largest_length(const Mechanism& mechanism);
 /// Whether coordinate k is a length.
 bool is_length(const Phi& phi, Eigen::Index k);
 /// The size of a pose: its largest length, phi.length() at least.
