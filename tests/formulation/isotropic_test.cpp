@@ -40,6 +40,20 @@ TEST(Exact, DirectionsLieOnTheUnitCircleExactly) {
   }
 }
 
+TEST(Exact, ADirectionTimesAnotherIsThatOfTheSumOfAnglesToTheirErrors) {
+  const EnclosedUnit step = unit_at({Rational(-37, 3), {}, 0});
+  EnclosedUnit turned = unit_at({Rational(500), {}, 0});
+  for (int k = 1; k <= 60; ++k) {
+    turned = turned * step;
+    const EnclosedUnit whole = unit_at({Rational(500) - k * Rational(37, 3), {}, 0});
+    const Coefficient apart = turned.value - whole.value;
+    const double error = turned.error + whole.error;
+    EXPECT_LT(error, 0x1p-118);
+    EXPECT_LE(to_double(abs(apart.re)), error) << k;
+    EXPECT_LE(to_double(abs(apart.im)), error) << k;
+  }
+}
+
 TEST(Exact, QuarterTurnsAreExact) {
   const auto at = [](int degrees) { return unit_at({Rational(degrees), {}, 0}); };
   EXPECT_EQ(at(90).value, (Coefficient{0, 1}));
