@@ -75,9 +75,20 @@ double distance_from_end(const Run& run, std::uint64_t path, const Point& x) {
   return is_seen ? projective_distance(x, last->second) : 1;
 }
 
+/// At infinity within the file's digits: of the file to the letter they may lead to roots.
+PathSet paths_at_infinity_as_rounded(const Run& run) {
+  PathSet paths;
+  if (run.table.count(PathVerdict::as_rounded) == 0) return paths;
+  for (std::uint64_t path = 0; path < run.table.records().size(); ++path) {
+    if (run.table.records()[path].verdict == PathVerdict::as_rounded) paths.insert(path);
+  }
+  return paths;
+}
+
 /// Paths that are open, and those whose ends are told without a proof.
 PathSet paths_without_proof(const Run& run) {
   PathSet paths = open_to_more_digits(run);
+  paths.merge(paths_at_infinity_as_rounded(run));
   for (const auto& [path, root] : run.table.roots()) {
     if (!root.point.simple && !root.is_exact) paths.insert(path);
   }
@@ -101,6 +112,7 @@ void enter_nearest(Run& run, const std::vector<ProvedPlace>& places, PathSet pat
 }  // namespace
 
 void give_missing_roots(Run& run) {
+  if (run.table.count(PathVerdict::as_rounded) > 0) look_for_ring(run);
   const QuotientRing& ring = run.bounds.ring;
   const bool can_be_found = ring.verdict == QuotientRing::Verdict::finite &&
                             ring.dimension <= kMostRingPoints && is_root_missing(run);

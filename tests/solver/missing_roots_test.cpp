@@ -56,5 +56,23 @@ TEST(MissingRoots, AreFoundBesideTheReferenceTrackerToo) {
   expect_nine_proved(solve_with_cvode(oscillators("1.1"), options));
 }
 
+// Four roots of size 3e6 beside double ones at infinity: a change of the last digits moves two there.
+TEST(MissingRoots, OfPathsAtInfinityWithinTheDigitsAreThoseOfTheFileToTheLetter) {
+  const System f = read_system(
+      {"near-multiple",
+       "3\n 49*x1^2*x2^2-70*x1*x2+25.000000000001;\n"
+       " 64*x1^2-96*x1*x3+36*x3^2+80*x1-60*x3+25.000000000001;\n"
+       " 14*x1^2*x2-14*x1*x2^2-63*x1*x2*x3-57*x1*x2-8*x3^2-10*x1+10*x2+45*x3+53.000000000004;\n"});
+  const auto lanes = make_lane_tracker();
+  for (const std::uint64_t seed : {1U, 2U}) {
+    SCOPED_TRACE(seed);
+    SolveOptions options = with_seed(seed);
+    options.start = StartKind::polyhedral;
+    const SolveResult result = solve(f, *lanes, options);
+    EXPECT_EQ(result.solutions.size(), 12U);
+    EXPECT_EQ(result.completeness, RootCompleteness::proved);
+  }
+}
+
 }  // namespace
 }  // namespace moivre::test
