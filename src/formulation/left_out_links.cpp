@@ -372,9 +372,8 @@ std::optional<Tie> leave_out_four_bar(RigidGroups& groups, std::size_t group, do
   }
   groups.ties.insert(groups.ties.end(), rods.begin(), rods.end());
   groups.left_out.emplace_back(groups.names[leg->bar.j] + " to " + groups.names[leg->foot.j],
-                               "a four-bar in the plane of its outer hinges is two distances and "
-                               "two lines that meet, in two "
-                               "postures");
+                               "in the plane of the outer hinges a four-bar is two distances and "
+                               "two lines that meet, in two postures");
   groups.four_bars.push_back(*leg);
   return meeting_of(leg->bar, leg->foot, groups.names[group]);
 }
