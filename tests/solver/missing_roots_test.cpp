@@ -56,7 +56,8 @@ TEST(MissingRoots, AreFoundBesideTheReferenceTrackerToo) {
   expect_nine_proved(solve_with_cvode(oscillators("1.1"), options));
 }
 
-// Four roots of size 3e6 beside double ones at infinity: a change of the last digits moves two there.
+// Four roots of size 3e6 beside double ones at infinity: a change of the last digits moves two
+// there.
 TEST(MissingRoots, OfPathsAtInfinityWithinTheDigitsAreThoseOfTheFileToTheLetter) {
   const System f = read_system(
       {"near-multiple",
