@@ -192,8 +192,10 @@ void take_near_misses(ClosureSearch& search) {
       continue;
     }
     if (is_at_root(search, least)) continue;
-    if (is_near) note_misfit(search, closure);
-    if (is_near) note_near_closure(search, closure);
+    if (is_near) {
+      note_misfit(search, closure);
+      note_near_closure(search, closure);
+    }
     take_fitted(search, least);
   }
   for (const Eigen::VectorXd& q : search.fitted_before) take_fitted(search, settled(search, q));

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -368,19 +367,18 @@ void settle_refuted(ClosureSearch& search) {
 }
 
 /// Those of the equations that say something of known unknowns alone.
-Formulation with_known_alone(const Formulation& formulation, const PartialRoot& root,
-                             const std::vector<std::size_t>& equations) {
-  Formulation part = formulation;
-  part.system.polynomials.clear();
+std::vector<std::size_t> of_known_alone(const Formulation& formulation, const PartialRoot& root,
+                                        const std::vector<std::size_t>& equations) {
+  std::vector<std::size_t> found;
   for (const std::size_t e : equations) {
     const auto& terms = formulation.system.polynomials[e].terms;
     const bool is_known = std::all_of(terms.begin(), terms.end(), [&](const Term& term) {
       return std::all_of(term.monomial.begin(), term.monomial.end(),
                          [&](const Power& power) { return root.value[power.variable] != nullptr; });
     });
-    if (is_known) part.system.polynomials.push_back(formulation.system.polynomials[e]);
+    if (is_known) found.push_back(e);
   }
-  return part;
+  return found;
 }
 
 /// Takes away the roots of a part that fail an equation of it that was spare; no unknown that is
@@ -388,13 +386,13 @@ Formulation with_known_alone(const Formulation& formulation, const PartialRoot& 
 void reject_what_fails(ClosureSearch& search, const std::vector<std::size_t>& spare,
                        std::vector<PartialRoot>& roots) {
   if (roots.empty() || spare.empty()) return;
-  const Formulation part = with_known_alone(search.formulation, roots.front(), spare);
-  const ResidualOfRoots residual(part);
+  const ResidualOfRoots residual(search.formulation,
+                                 of_known_alone(search.formulation, roots.front(), spare));
   std::erase_if(roots, [&](const PartialRoot& root) {
     Solution solution;
     solution.path = root.path;
     solution.singular = root.singular;
-    for (const KnownValue& value : root.value) solution.x.push_back(value ? value->rounded : 0);
+    solution.x = known_values(root);
     solution.residual = residual(solution.x);
     if (solution.residual <= tolerance_of(solution)) return false;
     ++search.result.counts.rejected;
@@ -425,25 +423,15 @@ void solve_free(ClosureSearch& search, const BlockStructure& structure) {
   search.undecided_motion = true;
 }
 
-Point values_of(const PartialRoot& root) {
-  Point x;
-  for (const KnownValue& value : root.value) x.push_back(value->rounded);
-  return x;
-}
-
-/// Of a root and others beside it that make a multiple root of its condition: the others. m roots
-/// within a gap have a condition of its power m - 1; on a set rounding leaves roots anywhere. A
-/// condition that double cannot measure, of a pivot that rounding made 0, is as large as it can.
+/// Of a root and others beside it that make a multiple root of its condition: the others.
 std::vector<std::size_t> parted_from(const Formulation& formulation,
                                      const std::vector<PartialRoot>& roots, std::size_t i) {
-  constexpr double kExplained = 1e6;
-  constexpr double kMeasured = 1 / std::numeric_limits<double>::epsilon();
   // Farther apart than a fourth root of rounding by no more than some.
   constexpr double kFarApart = 1e-3;
   std::vector<std::pair<double, std::size_t>> others;
   for (std::size_t j = i + 1; j < roots.size(); ++j) {
     if (roots[j].singular || roots[j].condition < kUndetermined) continue;
-    const double gap = apart(formulation, values_of(roots[i]), values_of(roots[j]));
+    const double gap = apart(formulation, known_values(roots[i]), known_values(roots[j]));
     if (gap <= kFarApart) others.emplace_back(gap, j);
   }
   std::sort(others.begin(), others.end());
@@ -452,8 +440,7 @@ std::vector<std::size_t> parted_from(const Formulation& formulation,
   for (const auto& [gap, j] : others) {
     parted.push_back(j);
     condition = std::max(condition, roots[j].condition);
-    const double explained = std::pow(gap, static_cast<double>(parted.size()));
-    if (explained * std::min(condition, kMeasured) <= kExplained) return parted;
+    if (is_of_parted(condition, std::pow(gap, static_cast<double>(parted.size())))) return parted;
   }
   return {};
 }
@@ -478,7 +465,7 @@ void merge_parted(const Formulation& formulation, std::vector<PartialRoot>& root
       if (!is_shared) value = std::make_shared<const Known>(exactly(share * sum));
     }
     for (const std::size_t j : parted) {
-      const double gap = apart(formulation, values_of(roots[i]), values_of(roots[j]));
+      const double gap = apart(formulation, known_values(roots[i]), known_values(roots[j]));
       roots[i].multiplicity += roots[j].multiplicity;
       roots[i].accuracy = std::max({roots[i].accuracy, roots[j].accuracy, 2 * gap});
     }
@@ -501,7 +488,7 @@ void take_off_sets(const ClosureSearch& search, const Formulation& formulation, 
         formulation.is_exact && (root.proof != nullptr || root.isolated || root.singular);
     if (root.condition < kUndetermined || is_known) return false;
     const bool may_be_pose = root.singular && may_be_real(search.formulation, root);
-    if (may_be_pose && stands_still(search, values_of(root))) return false;
+    if (may_be_pose && stands_still(search, known_values(root))) return false;
     run.moves = true;
     run.may_move = run.may_move || may_be_real(formulation, root);
     return true;

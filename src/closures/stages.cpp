@@ -482,10 +482,7 @@ class Stages {
   void merge_parted(const Block& block, const PartialRoot& before,
                     const std::vector<Solution>& solutions,
                     std::vector<PartialRoot>& children) const {
-    // Roots beside each other have a condition as large as they are near.
     constexpr double kIllConditioned = 1e7;
-    constexpr double kExplained = 1e6;
-    constexpr double kMeasured = 1 / std::numeric_limits<double>::epsilon();
     std::vector<std::size_t> parted;
     for (std::size_t k = 0; k < children.size(); ++k) {
       const bool is_simple = !solutions[k].singular && children[k].proof == nullptr;
@@ -497,8 +494,8 @@ class Stages {
       const auto other = std::find_if(i + 1, parted.end(), [&](std::size_t j) {
         const double gap = max_distance(solutions[*i].x, solutions[j].x);
         const double condition = std::max(solutions[*i].condition, solutions[j].condition);
-        if (is_merged[j] || gap * std::min(condition, kMeasured) > kExplained) return false;
-        return merge(block, children[j], gap, children[*i]);
+        return !is_merged[j] && is_of_parted(condition, gap) &&
+               merge(block, children[j], gap, children[*i]);
       });
       if (other == parted.end()) continue;
       children[*i].condition = before.condition;
@@ -515,14 +512,8 @@ class Stages {
       const Complex mean = 0.5 * (into.value[v]->rounded + other.value[v]->rounded);
       between.value[v] = std::make_shared<const Known>(exactly(mean));
     }
-    Formulation part = formulation_;
-    part.system.polynomials.clear();
-    for (const std::size_t e : block.equations) {
-      part.system.polynomials.push_back(formulation_.system.polynomials[e]);
-    }
-    Point x;
-    for (const KnownValue& value : between.value) x.push_back(value ? value->rounded : 0);
-    if (ResidualOfRoots(part)(x) > rounding_left(formulation_)) return false;
+    const ResidualOfRoots residual(formulation_, block.equations);
+    if (residual(known_values(between)) > rounding_left(formulation_)) return false;
     into = std::move(between);
     into.multiplicity += other.multiplicity;
     into.singular = into.cluster = true;
@@ -632,6 +623,19 @@ bool may_be_real(const Formulation& formulation, const PartialRoot& root) {
 bool is_rounded(const Formulation& formulation) {
   const System& f = formulation.system;
   return formulation.has_rounded_frames || f.polynomials.size() > f.variables.size();
+}
+
+bool is_of_parted(double condition, double product) {
+  constexpr double kExplained = 1e6;
+  // Of a pivot that rounding made 0 it is as large as it can.
+  constexpr double kMeasured = 1 / std::numeric_limits<double>::epsilon();
+  return product * std::min(condition, kMeasured) <= kExplained;
+}
+
+Point known_values(const PartialRoot& root) {
+  Point x;
+  for (const KnownValue& value : root.value) x.push_back(value ? value->rounded : 0);
+  return x;
 }
 
 double rounding_left(const Formulation& formulation) {

@@ -22,7 +22,16 @@ Formulation formulate(const Mechanism& mechanism, double t) {
 
 ResidualOfRoots::ResidualOfRoots(const Formulation& formulation) : formulation_(formulation) {
   for (const Polynomial& p : formulation.system.polynomials) {
-    coefficients_.push_back(rounded_coefficients(p));
+    equations_.push_back({&p, rounded_coefficients(p)});
+  }
+}
+
+ResidualOfRoots::ResidualOfRoots(const Formulation& formulation,
+                                 const std::vector<std::size_t>& equations)
+    : formulation_(formulation) {
+  for (const std::size_t e : equations) {
+    const Polynomial& p = formulation.system.polynomials[e];
+    equations_.push_back({&p, rounded_coefficients(p)});
   }
 }
 
@@ -37,10 +46,9 @@ double ResidualOfRoots::operator()(const Point& root) const {
     sizes.push_back(std::max(std::abs(root[v]), formulation_.is_direction[v] ? 1 : length));
   }
   double largest = 0;
-  for (std::size_t i = 0; i < coefficients_.size(); ++i) {
-    const Polynomial& p = formulation_.system.polynomials[i];
-    const double size = term_size(p, coefficients_[i], sizes);
-    if (size > 0) largest = std::max(largest, std::abs(value_at(p, coefficients_[i], root)) / size);
+  for (const auto& [p, coefficients] : equations_) {
+    const double size = term_size(*p, coefficients, sizes);
+    if (size > 0) largest = std::max(largest, std::abs(value_at(*p, coefficients, root)) / size);
   }
   return largest;
 }

@@ -84,6 +84,13 @@ bool may_be_real(const Formulation& formulation, const PartialRoot& root);
 /// Rounding of frames, or in redundant equations of the file's numbers, moves roots.
 bool is_rounded(const Formulation& formulation);
 
+/// Whether a root's condition is that of a multiple root which rounding has parted: m roots within
+/// a gap have a condition of its power m - 1, `product`. On a set rounding leaves roots anywhere.
+bool is_of_parted(double condition, double product);
+
+/// 0 where a value is not known.
+Point known_values(const PartialRoot& root);
+
 /// Of the terms of an equation, at its roots: what rounding leaves of the solution alone, or of a
 /// file's numbers and of what frames are made of.
 double rounding_left(const Formulation& formulation);

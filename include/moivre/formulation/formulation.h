@@ -150,11 +150,17 @@ class ResidualOfRoots {
  public:
   /// The formulation has to outlive it.
   explicit ResidualOfRoots(const Formulation& formulation);
+  /// Of these equations alone; unknowns in which none of them is may have any value.
+  ResidualOfRoots(const Formulation& formulation, const std::vector<std::size_t>& equations);
   double operator()(const Point& root) const;
 
  private:
   const Formulation& formulation_;
-  std::vector<Point> coefficients_;  ///< of each polynomial
+  struct Equation {
+    const Polynomial* polynomial;
+    Point coefficients;
+  };
+  std::vector<Equation> equations_;
 };
 
 /// max_v |x_v - conj(x_mirror(v))| / size_v: 0 for a real pose. size_v: of a direction the largest
