@@ -14,13 +14,18 @@
 //   ms, worst, Newton  CPU time a pose, the longest, and that of Newton's method until it has found
 //                      as many
 //   alone    poses that no family answered
+//   median   of the poses' times by the clock, the preparation shared among all;  slow: poses that
+//            take ten times as long: most are those at which the digits leave a set open
 // --together: all poses in one call, as --poses does. --disturbed: every number of every origin and
 // axis off by up to SIZE, so that every arm is a general one.
 // Exit: 0 nothing is lost, miscounted, open or hunted down, 1 something is, 2 usage.
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <exception>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -92,6 +97,7 @@ double cpu_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SE
 struct Tally {
   std::uint64_t lost = 0, miscounted = 0, open = 0, real = 0, outdone = 0;
   double own = 0, fk = 0, ms = 0, worst_ms = 0, newton_ms = 0;
+  std::vector<double> seconds;  ///< of each pose
 
   void take(const Arm& arm, const ArmResult& result, const Eigen::VectorXd& values,
             std::uint64_t complex) {
@@ -102,6 +108,20 @@ struct Tally {
     miscounted += result.counts.complex == complex ? 0 : 1;
     open += result.complete ? 0 : 1;
     real += result.counts.real;
+    seconds.push_back(result.time_s.total);
+  }
+
+  double median() {
+    const auto middle = seconds.begin() + std::ssize(seconds) / 2;
+    std::nth_element(seconds.begin(), middle, seconds.end());
+    return *middle;
+  }
+
+  std::uint64_t slow() {
+    constexpr double kSlow = 10;
+    const double most = kSlow * median();
+    return static_cast<std::uint64_t>(
+        std::count_if(seconds.begin(), seconds.end(), [&](double s) { return s > most; }));
   }
 };
 
@@ -160,21 +180,23 @@ bool measure(const Kind& kind, const Request& request) {
   const std::uint64_t hunted = std::min<std::uint64_t>(request.hunted, poses.size());
   for (std::uint64_t k = 0; k < hunted; ++k) hunt(arm, results[k], k, request.starts, tally);
   const double n = static_cast<double>(poses.size());
-  std::printf("%-13s %5zu %4llu %5llu %5llu %8.1e %8.1e %5.2f %7llu %8.3f %8.1f %8.1f %6llu\n",
-              kind.name.c_str(), poses.size(), static_cast<unsigned long long>(tally.lost),
-              static_cast<unsigned long long>(tally.miscounted),
-              static_cast<unsigned long long>(tally.open), tally.own, tally.fk,
-              static_cast<double>(tally.real) / n, static_cast<unsigned long long>(tally.outdone),
-              tally.ms, tally.worst_ms,
-              hunted > 0 ? tally.newton_ms / static_cast<double>(hunted) : 0,
-              static_cast<unsigned long long>(alone));
+  std::printf(
+      "%-13s %5zu %4llu %5llu %5llu %8.1e %8.1e %5.2f %7llu %8.3f %8.1f %8.1f %6llu %8.4f %5llu\n",
+      kind.name.c_str(), poses.size(), static_cast<unsigned long long>(tally.lost),
+      static_cast<unsigned long long>(tally.miscounted),
+      static_cast<unsigned long long>(tally.open), tally.own, tally.fk,
+      static_cast<double>(tally.real) / n, static_cast<unsigned long long>(tally.outdone), tally.ms,
+      tally.worst_ms, hunted > 0 ? tally.newton_ms / static_cast<double>(hunted) : 0,
+      static_cast<unsigned long long>(alone), 1e3 * tally.median(),
+      static_cast<unsigned long long>(tally.slow()));
   std::fflush(stdout);
   return tally.lost + tally.miscounted + tally.open + tally.outdone == 0;
 }
 
 int run(const Request& request) {
-  std::printf("%-13s %5s %4s %5s %5s %8s %8s %5s %7s %8s %8s %8s %6s\n", "arm", "poses", "lost",
-              "count", "open", "own", "fk", "real", "outdone", "ms", "worst", "Newton", "alone");
+  std::printf("%-13s %5s %4s %5s %5s %8s %8s %5s %7s %8s %8s %8s %6s %8s %5s\n", "arm", "poses",
+              "lost", "count", "open", "own", "fk", "real", "outdone", "ms", "worst", "Newton",
+              "alone", "median", "slow");
   bool right = true;
   for (const Kind& kind : kinds()) {
     const bool is_wanted = request.names.empty() ||
