@@ -119,6 +119,7 @@ void take_account(ClosureResult& result, const StageRun& run) {
   result.start.kind = run.largest_start.kind;
   result.start.paths = run.paths.tracked;
   result.left_out.insert(result.left_out.end(), run.left_out.begin(), run.left_out.end());
+  result.counts.rejected += run.rejected;
   for (const auto& [reason, count] : run.excluded) {
     result.counts.rejected += count;
     result.left_out.push_back({std::to_string(count) + (count == 1 ? " root that is no pose"
@@ -346,7 +347,8 @@ StageRun solve_blocks(const ClosureSearch& search, const Formulation& formulatio
   SolveOptions options = search.options.solve;
   const bool is_free = options.precision == Precision::automatic;
   if (is_free && is_refuted_alone(search)) options.precision = Precision::double_precision;
-  return solve_blocks(formulation, blocks, search.tracker, options, search.stop, prover);
+  const Formulation* const whole = search.mechanism.fit ? nullptr : &search.formulation;
+  return solve_blocks(formulation, blocks, search.tracker, options, search.stop, prover, {}, whole);
 }
 
 /// Paths in doubt lead to no closure where there is none.

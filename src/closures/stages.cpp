@@ -33,6 +33,9 @@ constexpr std::uint64_t kPathsWithoutSearch = 32;
 // terms does not vanish.
 constexpr double kNearExclusion = 1e-6;
 
+// Beside its size a root that rounding has moved from a real pose is not so far from real.
+constexpr double kClearlyComplex = 0.1;
+
 // Where nothing is proved: a simple root is known to rounding, and what vanishes there does so to
 // 1e-14.
 constexpr double kVanishes = 1e-13;
@@ -87,8 +90,9 @@ class Stages {
  public:
   Stages(const Formulation& formulation, const std::vector<Block>& blocks, const Tracker& tracker,
          const SolveOptions& options, const std::atomic<bool>& stop, RootProver& prover,
-         PartialRoot begun)
+         PartialRoot begun, const Formulation* whole)
       : formulation_(formulation),
+        whole_(whole),
         blocks_(blocks),
         tracker_(tracker),
         options_(options),
@@ -96,10 +100,14 @@ class Stages {
         prover_(prover) {
     begun.value.resize(formulation.system.variables.size());
     run_.roots.push_back(std::move(begun));
+    if (whole != nullptr) find_checks();
   }
 
   StageRun run() && {
-    for (const Block& block : blocks_) solve_block(block);
+    for (const Block& block : blocks_) {
+      solve_block(block);
+      reject_what_fails(block);
+    }
     return std::move(*this).take();
   }
 
@@ -135,6 +143,45 @@ class Stages {
     run_.roots = std::move(next);
   }
 
+  /// Which equations of the whole have all their unknowns known behind which block?
+  void find_checks() {
+    constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> known_behind(formulation_.system.variables.size(), kNowhere);
+    for (std::size_t b = 0; b < blocks_.size(); ++b) {
+      for (const std::size_t v : blocks_[b].variables) known_behind[v] = b;
+    }
+    for (std::size_t e = 0; e < whole_->system.polynomials.size(); ++e) {
+      std::size_t last = 0;
+      for (const Term& term : whole_->system.polynomials[e].terms) {
+        for (const Power& power : term.monomial) {
+          last = std::max(last, known_behind[power.variable]);
+        }
+      }
+      if (last != kNowhere) checks_behind_[last].push_back(e);
+    }
+  }
+
+  /// No real pose is near: nothing above the root is one that closes, or that tells what it misses
+  /// by.
+  bool fails(const PartialRoot& root, const ResidualOfRoots& residual) const {
+    const double most = root.singular ? kHoldsSingular : kHolds;
+    return distance_from_image(formulation_, root) > kClearlyComplex &&
+           residual(known_values(root)) > most;
+  }
+
+  /// What is solved above a root at which an equation fails, though it was none of those that were
+  /// solved, is no pose.
+  void reject_what_fails(const Block& block) {
+    const auto checks = checks_behind_.find(static_cast<std::size_t>(&block - blocks_.data()));
+    if (checks == checks_behind_.end()) return;
+    const ResidualOfRoots residual(*whole_, checks->second);
+    std::erase_if(run_.roots, [&](const PartialRoot& root) {
+      if (!fails(root, residual)) return false;
+      run_.rejected += root.multiplicity;
+      return true;
+    });
+  }
+
   StageRun take() && {
     prove_all();
     run_.time.threads = std::max(1, run_.time.threads);
@@ -147,6 +194,10 @@ class Stages {
     if (shared_ > 0) {
       run_.left_out.push_back({"following the paths of " + counted(shared_, "solve"),
                                "above roots with the same values they are those of another one"});
+    }
+    if (run_.rejected > 0) {
+      run_.left_out.push_back({"what is above " + counted(run_.rejected, "root") + " of a part",
+                               "they are not real, and an equation of the others fails there"});
     }
     if (formulas_ > 0) {
       run_.left_out.push_back(
@@ -572,12 +623,15 @@ class Stages {
   }
 
   const Formulation& formulation_;
+  const Formulation* const whole_;
   const std::vector<Block>& blocks_;
   const Tracker& tracker_;
   const SolveOptions& options_;
   const std::atomic<bool>& stop_;
   RootProver& prover_;
   StageRun run_;
+  /// Equations of the whole, by the number of the block behind which all their unknowns are known.
+  std::map<std::size_t, std::vector<std::size_t>> checks_behind_;
   const Block* block_of_exclusions_ = nullptr;
   std::vector<const Formulation::Exclusion*> exclusions_;  ///< of that block
   std::size_t lone_ = 0;
@@ -607,7 +661,7 @@ Polynomial substituted(const Polynomial& p, const std::vector<KnownValue>& value
   return to_polynomial(std::move(terms));
 }
 
-bool may_be_real(const Formulation& formulation, const PartialRoot& root) {
+double distance_from_image(const Formulation& formulation, const PartialRoot& root) {
   double size = 1;
   double apart = 0;
   for (std::size_t v = 0; v < root.value.size(); ++v) {
@@ -617,7 +671,11 @@ bool may_be_real(const Formulation& formulation, const PartialRoot& root) {
     size = std::max(size, std::abs(x));
     apart = std::max(apart, std::abs(x - std::conj(image->rounded)));
   }
-  return apart <= (root.singular ? kHoldsSingular : kHolds) * size;
+  return apart / size;
+}
+
+bool may_be_real(const Formulation& formulation, const PartialRoot& root) {
+  return distance_from_image(formulation, root) <= (root.singular ? kHoldsSingular : kHolds);
 }
 
 bool is_rounded(const Formulation& formulation) {
@@ -653,8 +711,9 @@ void add_solving(const SolveTime& part, SolveTime& sum) {
 
 StageRun solve_blocks(const Formulation& formulation, const std::vector<Block>& blocks,
                       const Tracker& tracker, const SolveOptions& options,
-                      const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun) {
-  return Stages(formulation, blocks, tracker, options, stop, prover, std::move(begun)).run();
+                      const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun,
+                      const Formulation* whole) {
+  return Stages(formulation, blocks, tracker, options, stop, prover, std::move(begun), whole).run();
 }
 
 }  // namespace moivre

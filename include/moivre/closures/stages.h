@@ -60,6 +60,7 @@ struct StageRun {
   bool moves = false;     ///< a block had a set of roots of positive dimension
   bool may_move = false;  ///< so it had, above a partial root that may be real
   std::map<std::string, std::uint64_t> excluded;  ///< roots that are no pose, by the reason
+  std::uint64_t rejected = 0;  ///< roots of parts, at which an equation of the whole fails
   /// Every root, the excluded ones too, is simple and proved, and they are as many as there can be.
   bool is_proved = true;
 };
@@ -77,6 +78,9 @@ Polynomial substituted(const Polynomial& p, const std::vector<KnownValue>& value
 // From this condition on rounding of the coefficients moves a root as far as it likes: products of
 // a dozen frames are right to 45 bits.
 inline constexpr double kUndetermined = 0x1p45;
+
+/// The most that a known value differs from its image, beside the largest of them and 1.
+double distance_from_image(const Formulation& formulation, const PartialRoot& root);
 
 /// False where the image of a value that is known differs from it.
 bool may_be_real(const Formulation& formulation, const PartialRoot& root);
@@ -100,9 +104,12 @@ double rounding_left(const Formulation& formulation);
 void add_solving(const SolveTime& part, SolveTime& sum);
 
 /// Solves the blocks in turn, and proves their roots where the prover does. `begun`: what is known
-/// before.
+/// before. `whole`: of the same unknowns, all equations that a pose has to satisfy. A root of the
+/// first blocks that is not real and at which one of them fails is taken away as soon as its
+/// unknowns are known; with lengths that are off by much, as a fit allows, a pose may be near.
 StageRun solve_blocks(const Formulation& formulation, const std::vector<Block>& blocks,
                       const Tracker& tracker, const SolveOptions& options,
-                      const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun = {});
+                      const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun = {},
+                      const Formulation* whole = nullptr);
 
 }  // namespace moivre
