@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The isolated roots brought back to the system as given, and the paths in doubt to the nearest.
+// The isolated roots brought back to the system as given, each to the nearest path in doubt.
 #include "isolated.h"
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include "certificates.h"
 #include "coincidence.h"
 #include "ends.h"
+#include "judge.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/certify/isolate.h"
 #include "moivre/numeric/near_points.h"
@@ -80,17 +81,50 @@ std::optional<std::vector<ProvedPlace>> proved_places(const Run& run) {
   return std::nullopt;
 }
 
-/// The paths whose ends are not proved, each with the last that was seen of it.
-std::vector<std::pair<std::uint64_t, Point>> paths_in_doubt(const Run& run) {
-  std::vector<std::pair<std::uint64_t, Point>> paths;
+/// The paths that have no root of their own.
+struct PathsInDoubt {
+  std::vector<std::pair<std::uint64_t, Point>> seen;  ///< each with the last that was seen of it
+  /// Those that jumped to another path's root, or were last seen before the last stage: nothing
+  /// tells where theirs are.
+  std::vector<std::uint64_t> unseen;
+};
+
+PathsInDoubt paths_in_doubt(const Run& run) {
+  const JudgedEnds judged = judge_ends_alone(run);
+  PathsInDoubt paths;
   for (const auto& [path, root] : run.table.roots()) {
-    if (!root.certificate) paths.emplace_back(path, root.point.x);
+    if (!root.certificate) {
+      paths.seen.emplace_back(path, root.point.x);
+    } else if (judged.open.contains(path)) {
+      paths.unseen.push_back(path);
+    }
   }
   for (const auto& [path, failure] : run.table.failures()) {
     const auto last = run.table.last_points().find(path);
-    if (last != run.table.last_points().end()) paths.emplace_back(path, last->second);
+    if (last != run.table.last_points().end()) {
+      paths.seen.emplace_back(path, last->second);
+    } else {
+      paths.unseen.push_back(path);
+    }
   }
   return paths;
+}
+
+/// The path that was last seen nearest to x, else one that was not seen; it is in doubt no longer.
+std::optional<std::uint64_t> take_path(PathsInDoubt& paths, const Point& x) {
+  auto& [seen, unseen] = paths;
+  const auto nearest = std::min_element(seen.begin(), seen.end(), [&](auto& a, auto& b) {
+    return max_distance(x, a.second) < max_distance(x, b.second);
+  });
+  std::optional<std::uint64_t> path;
+  if (nearest != seen.end() && relative_distance(x, nearest->second) <= kFarthestEnd) {
+    path = nearest->first;
+    seen.erase(nearest);
+  } else if (!unseen.empty()) {
+    path = unseen.back();
+    unseen.pop_back();
+  }
+  return path;
 }
 
 }  // namespace
@@ -98,24 +132,20 @@ std::vector<std::pair<std::uint64_t, Point>> paths_in_doubt(const Run& run) {
 void isolate_roots(Run& run) {
   const Setting& setting = run.setting;
   if (setting.prepared.reduction.system.variables.size() != 1) return;
-  auto paths = paths_in_doubt(run);
-  if (paths.empty()) return;
+  PathsInDoubt paths = paths_in_doubt(run);
+  if (paths.seen.empty() && paths.unseen.empty()) return;
   const auto places = proved_places(run);
   if (!places) return;
   std::vector<std::pair<std::uint64_t, const ProvedPlace*>> found;
   const std::vector<ProvedPlace> left = free_places(run, *places);
   for (const ProvedPlace& place : left) {
     for (std::uint64_t k = 0; k < place.multiplicity; ++k) {
-      const auto nearest = std::min_element(paths.begin(), paths.end(), [&](auto& a, auto& b) {
-        return max_distance(place.place.x, a.second) < max_distance(place.place.x, b.second);
-      });
-      if (nearest == paths.end()) return;
-      if (relative_distance(place.place.x, nearest->second) > kFarthestEnd) return;
-      found.emplace_back(nearest->first, &place);
-      paths.erase(nearest);
+      const auto path = take_path(paths, place.place.x);
+      if (!path) return;
+      found.emplace_back(*path, &place);
     }
   }
-  if (!paths.empty()) return;
+  if (!paths.seen.empty() || !paths.unseen.empty()) return;
   Refiner refiner(setting.refiner_program);
   for (const auto& [path, place] : found) enter_place(run, refiner, path, *place);
 }

@@ -3,10 +3,10 @@
 // which?
 //
 // As many paths are followed as the polynomial has roots, with their multiplicities. A path whose
-// end is proved keeps it; what is left of the roots goes to the other paths, each to the nearest
-// end.
-// Edges: a root far from every end that is left is none of theirs, and nothing is changed. Private
-// to the module.
+// end is proved keeps it, unless another path has it; what is left of the roots goes to the other
+// paths, each to the nearest end, or to a path of which nothing tells where its root is.
+// Edges: where a root is far from every end that is left, and all of these are told, nothing is
+// changed. Private to the module.
 #pragma once
 
 #include "run.h"
