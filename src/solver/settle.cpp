@@ -13,8 +13,7 @@
 namespace moivre {
 namespace {
 
-/// In this order. Each leaves alone what it cannot answer; what it costs is for it to limit.
-constexpr void (*kRemedies[])(Run&){
+constexpr Remedy kRemedies[]{
     isolate_roots,            // any, where one unknown is left: all roots by proof
     part_in_double_double,    // several paths at a singular end: simple roots near to each other?
     raise_failed_paths,       // no end, by precision: many paths at once in double-double
@@ -46,8 +45,10 @@ bool is_settled(Run& run) {
   return run.is_settled;
 }
 
-void settle(Run& run) {
-  for (const auto remedy : kRemedies) {
+std::span<const Remedy> remedies() { return kRemedies; }
+
+void settle(Run& run, std::span<const Remedy> remedies) {
+  for (const Remedy remedy : remedies) {
     if (run.interrupted) return;
     remedy(run);
     if (is_settled(run)) return;

@@ -11,11 +11,20 @@
 // Private to the module.
 #pragma once
 
+#include <span>
+
 #include "run.h"
 
 namespace moivre {
 
-void settle(Run& run);
+/// Leaves alone what it cannot answer; what it costs is for it to limit.
+using Remedy = void (*)(Run&);
+
+/// The table.
+std::span<const Remedy> remedies();
+
+/// With fewer remedies a test shows what each is for.
+void settle(Run& run, std::span<const Remedy> remedies = remedies());
 
 /// Whether a count tells that the paths without a root lead to no other; these are then not needed.
 bool is_settled(Run& run);

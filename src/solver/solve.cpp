@@ -11,7 +11,6 @@
 
 #include "account.h"
 #include "certificates.h"
-#include "completeness.h"
 #include "denominators.h"
 #include "ends.h"
 #include "facts.h"
@@ -133,18 +132,6 @@ bool decided_without_tracking(const Setting& setting, SolveResult& result) {
       throw std::logic_error("a square system became overdetermined");
   }
   return false;
-}
-
-/// All of them, and with more effort those that wait, unless the others have met a bound: then they
-/// lead to no other root. That is not asked where every path is to be followed.
-void track_to_ends(Run& run) {
-  track_all(run);
-  for (const Effort effort : {Effort::few_steps, Effort::all_steps}) {
-    if (effort <= first_effort(run.setting)) continue;
-    if (run.waiting.empty() || run.interrupted) return;
-    if (!run.setting.options.every_path && settle_by_bound(run)) return;
-    track_waiting(run, effort);
-  }
 }
 
 /// Where it is to stop, or memory runs out, the run ends with what is entered.

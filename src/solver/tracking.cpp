@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "completeness.h"
 #include "ends.h"
 #include "observed_paths.h"
 
@@ -92,6 +93,16 @@ PathSet raise_with(Run& run, const Tracker& tracker, PathPrecision precision, Ta
 }
 
 }  // namespace
+
+void track_to_ends(Run& run) {
+  track_all(run);
+  for (const Effort effort : {Effort::few_steps, Effort::all_steps}) {
+    if (effort <= first_effort(run.setting)) continue;
+    if (run.waiting.empty() || run.interrupted) return;
+    if (!run.setting.options.every_path && settle_by_bound(run)) return;
+    track_waiting(run, effort);
+  }
+}
 
 void track_all(Run& run) {
   const Setting& setting = run.setting;

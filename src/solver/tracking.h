@@ -11,6 +11,10 @@
 
 namespace moivre {
 
+/// Follows all, and with more effort those that wait, unless the others have met a bound: then they
+/// lead to no other root. That is not asked where every path is to be followed.
+void track_to_ends(Run& run);
+
 /// Follows every path of the start system, with no more effort than may be enough, and reports the
 /// progress.
 void track_all(Run& run);

@@ -3,10 +3,22 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <iterator>
 #include <string>
+#include <vector>
 
+#include "account.h"
+#include "beside_sets.h"
+#include "clusters.h"
+#include "isolated.h"
+#include "missing_roots.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
+#include "more_digits.h"
+#include "multiplicities.h"
 #include "problem_set.h"
+#include "settle.h"
+#include "tracking.h"
 
 namespace moivre {
 namespace {
@@ -116,6 +128,132 @@ TEST(Remedies, ClustersThatNoCountConfirmsArePartedInMoreDigits) {
   const SolveResult result = solve(near_pairs(300), *make_lane_tracker(), with_seed(1));
   EXPECT_GE(certified_roots(result), 3U);
 }
+
+// Paths that have jumped to one of the 140 simple roots, and two that have no end, are those to the
+// double roots: all roots are isolated, and no other path is left.
+TEST(Remedies, IsolatedRootsThatNoPathHasAreThoseOfPathsThatHaveJumped) {
+  const System f = read("1\n (x^140 - (3*x - 1)^2)*((x - 1/3)^2 - 1/10^6)^2;\n");
+  const auto lanes = make_lane_tracker();
+  SolveOptions options = with_seed(2);
+  options.fallback = lanes.get();
+  const SolveResult result = solve(f, *make_cvode_tracker(), options);
+  EXPECT_EQ(result.completeness, RootCompleteness::proved);
+  EXPECT_EQ(certified_roots(result), 140U);
+  EXPECT_EQ(result.solutions.size(), 142U);
+  EXPECT_EQ(test::sum_of_multiplicities(result), 144U);
+}
+
+/// A system of which a run without the remedy tells less.
+struct Need {
+  Remedy remedy;
+  const char* finds;  ///< what the others do not
+  const char* system;
+  bool by_cvode = false;
+  std::uint64_t seed = 1;
+};
+
+const Need kNeeds[] = {
+    {isolate_roots, "DigitsOfRootsNearToEachOther",
+     "2\n (x - 1)*(x - 1 - 1/10^9);\n y - 10^6*x;\n"},
+    {part_in_double_double, "ThreeNearRootsBesideACurve",
+     "3\n x*(y - 1 - 1/10^8)*(y - 1 - 14/10^8)*(y - 1 - 16/10^8);\n x*(x - 2 - y);\n"
+     " z^2 - y*z - 3 - x;\n"},
+    {raise_failed_paths, "EndsOfManyPathsThatSmallerStepsDoNotHelp",
+     "2\n ((u - 3*v) + 9/5)^4*((u - 3*v) + 9/5 - 5/10^8)*((u - 3*v) + 4)^4*"
+     "((u - 3*v) + 4 - 7/10^15);\n (10*v - 3*u)^2 - 2 - (u - 3*v)^2/97;\n"},
+    {follow_in_smaller_steps, "ADoubleRootNearALine",
+     "2\n (x - 1)^2*(2*x + 3*y - 7);\n (2*x + 3*y - 7 + 1/1000)*(2*x + 3*y - 7);\n", false, 2},
+    {raise_to_double_double, "PointsOfACurve",
+     "2\n 7*x^2 - 9*y + 2;\n"
+     " -56*x^3*y + 35*x^2*y^2 - 21*x^2*y + 72*x*y^2 - 45*y^3 + 56*x^2 - 16*x*y + 37*y^2 - 78*y + "
+     "16;\n",
+     true, 2},
+    {give_missing_roots, "RootsThatThePathsDoNotTell",
+     "2\n"
+     " ((u + (3)*v) - (-1/7))^2*((u + (3)*v) - (-1/7) - 4/10^26);\n"
+     " ((-1)*u + (-2)*v)*((u + (3)*v)^2 + 2) - 7*(u + (3)*v) + 3;\n"},
+    {raise_to_more_digits, "ThreeRoots1e41ApartWhereNoneIsIsolated", "1\n x^256 - (3*x - 1)^3;\n"},
+    {part_clusters_in_more_bits, "RootsThatNoCountTellsFromOne",
+     "2\n z*(x + 3) - x^300 + 1;\n (2*x^2 - 1)^2*(2*x + 1) - 1/10^60*x;\n"},
+    {isolate_roots, "MultipleRootsBesideMoreSimpleOnesThanAreIsolated",
+     "1\n (x^3 - x - 1)^2*(x^260 - 3);\n"},
+    {look_beside_sets, "ASimpleRootNearALine",
+     "2\n"
+     " -136*x^3 + 242*x^2*y - 124*x*y^2 + 18*y^3 - 27624999997/62500000*x^2 + "
+     "26799999997/50000000*x*y - 35499999997/250000000*y^2 - 118999999973/250000000*x + "
+     "36749999991/125000000*y - 8499999997/50000000;\n"
+     " 136*x^2 - 55*x*y - 9*y^2 + 16999999997/62500000*x - 27500000003/500000000*y + "
+     "8499999997/62500000;\n"},
+    {look_at_blurred_sets, "RootsOnACurveOnWhichTheEquationsAllButVanish",
+     "16\n (x*y - 1)^2*(x - 2) + 3/10^20*(2 - x*y);\n (x*y - 1)*(y - 3);\n"
+     " u0*(x + 4) - 1;\n u1*(x + 5) - 1;\n u2*(x + 6) - 1;\n u3*(x + 7) - 1;\n"
+     " u4*(x + 8) - 1;\n u5*(x + 9) - 1;\n u6*(x + 10) - 1;\n u7*(x + 11) - 1;\n"
+     " u8*(x + 12) - 1;\n u9*(x + 13) - 1;\n v0*(x + 14) - 1;\n v1*(x + 15) - 1;\n"
+     " v2*(x + 16) - 1;\n v3*(x + 17) - 1;\n"},
+    {part_clusters, "NoClustersOnACurveOfMultipleRoots",
+     "3\n (x^2 - 2*y)^2*(z + x);\n (x^2 - 2*y)*(z + 1);\n (z - 2)^3 + (x^2 - 2*y)^2;\n"},
+    {raise_after_contradiction, "ALargeRootAmongEndsAtInfinity",
+     "5\n 800*x1*x4 + 900000*x2*x5 - 7000000*x3*x4 - 5000;\n"
+     " 1000000*x2 - 10*x3 + 3000000*x5 + 800000;\n"
+     " 5*x1^2 - 4000000*x2*x5 + 3*x3*x4 - 900000000*x4^2 - 300*x4*x5 + 700000000*x2 - 80000*x3 - "
+     "1000*x5 - 8000000;\n"
+     " 30*x2*x4 + 30000000*x1 - 20*x4 + 6000000;\n"
+     " -900000000*x1*x3 + 5000*x2^2 - 7000000*x2*x4 - 30000;\n"},
+};
+
+SolveResult solve_with(std::span<const Remedy> remedies, const Need& need) {
+  const System f = read(need.system);
+  const auto tracker = need.by_cvode ? make_cvode_tracker() : make_lane_tracker();
+  const auto other = need.by_cvode ? make_lane_tracker() : make_cvode_tracker();
+  SolveOptions options = with_seed(need.seed);
+  options.fallback = other.get();
+  const std::atomic<bool> stop{false};
+  const Setting setting(f, *tracker, options, stop);
+  Run run(setting);
+  track_to_ends(run);
+  settle(run, remedies);
+  count_ends(run);
+  SolveResult result;
+  close_account(run, result);
+  return result;
+}
+
+std::size_t clusters(const SolveResult& result) {
+  return static_cast<std::size_t>(std::count_if(result.solutions.begin(), result.solutions.end(),
+                                                [](const Solution& root) { return root.cluster; }));
+}
+
+double worst_accuracy(const SolveResult& result) {
+  double worst = 0;
+  for (const Solution& root : result.solutions) worst = std::max(worst, root.accuracy);
+  return worst;
+}
+
+bool tells_less(const SolveResult& result, const SolveResult& whole) {
+  return result.complete < whole.complete || certified_roots(result) < certified_roots(whole) ||
+         clusters(result) > clusters(whole) || result.on_sets.size() > whole.on_sets.size() ||
+         worst_accuracy(result) > 1000 * worst_accuracy(whole);
+}
+
+class RowOfRemedies : public testing::TestWithParam<std::size_t> {};
+
+// Or as much at twice the cost, where that is all that a remedy is for.
+TEST_P(RowOfRemedies, IsNeeded) {
+  const std::size_t row = GetParam();
+  const Need& need = kNeeds[row];
+  const std::span<const Remedy> table = remedies();
+  ASSERT_EQ(table[row], need.remedy);
+  std::vector<Remedy> others(table.begin(), table.end());
+  others.erase(others.begin() + static_cast<std::ptrdiff_t>(row));
+  const SolveResult whole = solve_with(table, need);
+  const SolveResult result = solve_with(others, need);
+  EXPECT_TRUE(tells_less(result, whole) || result.work.accepted > 2 * whole.work.accepted);
+}
+
+INSTANTIATE_TEST_SUITE_P(Finds, RowOfRemedies, testing::Range<std::size_t>(0, std::size(kNeeds)),
+                         [](const auto& row) { return std::string(kNeeds[row.param].finds); });
+
+TEST(Remedies, EachHaveASystemThatNeedsThem) { EXPECT_EQ(remedies().size(), std::size(kNeeds)); }
 
 }  // namespace
 }  // namespace moivre
