@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Runs that are kept are judged again: the same verdicts without following a path, and a verdict that is another is seen.
 import json
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -19,11 +20,13 @@ def replay(*words):
 class Replay(unittest.TestCase):
     def test_gives_the_same_verdicts_and_sees_another(self):
         with tempfile.TemporaryDirectory() as folder:
-            files = [ROOT / "problems/polynomials" / name for name in SYSTEMS]
+            arm = Path(shutil.copy(ROOT / "problems/robots/puma560.urdf", folder))
+            arm.with_suffix(".poses").write_text("0.4 0.1 0.3 1 0 0 0\n0.3 0.2 0.4 0.8 0.6 0 0\n")
+            files = [*(ROOT / "problems/polynomials" / name for name in SYSTEMS), arm]
             self.assertEqual(replay("record", MOIVRE, folder, *files).returncode, 0)
             same = replay("judge", MOIVRE, folder)
             self.assertEqual(same.returncode, 0, same.stdout + same.stderr)
-            self.assertIn(f"{len(SYSTEMS)} runs judged again, 0 differ, 0 followed other paths too", same.stdout)
+            self.assertIn(f"{len(SYSTEMS) + 2} runs judged again, 0 differ, 0 followed other paths too", same.stdout)
             kept = Path(folder) / "noon-3.verdict.json"
             entry = json.loads(kept.read_text())
             entry["verdict"]["roots"].pop()
