@@ -47,6 +47,10 @@ class JudgedPaths : public testing::Test {
     root.on_set = SetHere::none;
     run.table.enter_root(path, std::move(root));
   }
+  void on_curve(std::uint64_t path, Complex x) {
+    cycle(path, x, 2);
+    run.table.tell_curve(path);
+  }
   void lost(std::uint64_t path) { run.table.enter_failure({path, Failure::step_limit, 0.5}); }
   Groups roots() {
     Groups groups = test::lists_of(judge(run).roots);
@@ -71,6 +75,22 @@ TEST_F(JudgedPaths, StandAtASimpleRootAloneAndAtASingularOneInWholeCycles) {
   EXPECT_EQ(roots(), (Groups{{0}, {1}, {2, 3}}));
   EXPECT_TRUE(judged.open.empty());
   EXPECT_TRUE(judged.in_doubt.empty());
+}
+
+TEST_F(JudgedPaths, StandOnASetOneByOne) {
+  on_curve(0, 1);
+  on_curve(1, 4);
+  on_curve(2, 4);
+  on_curve(3, 4);
+  EXPECT_EQ(roots(), (Groups{{0}, {1, 2, 3}}));
+  EXPECT_TRUE(judge(run).open.empty());
+  // What came back to a shared sheet is open, and the others of its place are not.
+  run.sheets.set(3, 0.25);
+  run.sheets.set(5, 0.25);
+  run.table.enter_infinity(5);
+  EXPECT_EQ(roots(), (Groups{{0}, {1, 2}}));
+  EXPECT_EQ(judge(run).open,
+            (std::map<std::uint64_t, Question>{{3, Question::jumped}, {5, Question::jumped}}));
 }
 
 TEST_F(JudgedPaths, HaveNoRootWhereACycleIsNotWhole) {
