@@ -20,7 +20,9 @@ namespace moivre {
 namespace {
 
 const std::string kFolder = MOIVRE_SOURCE_DIR "/problems/extremes/";
-constexpr int kDigits = 20;
+/// Of a root's true value: an isolated root is as far from its double as is told, to 15 digits of
+/// that distance.
+constexpr int kDigits = 40;
 /// Two roots this near to each other, relative to their size, are one: below what any case holds.
 constexpr double kSame = 1e-12;
 
