@@ -30,6 +30,8 @@ constexpr double kAlgebraShare = 0.5;
 // Some ten seconds.
 constexpr std::uint64_t kMostTerms = 1'000'000'000;
 constexpr double kTermCost = 20;
+// A path in 100 and then in 300 digits takes some thousands of times as long as in double.
+constexpr double kAllDigits = 5000;
 
 /// The bound whose value is `roots`; throws where it is less.
 bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots,
@@ -78,10 +80,10 @@ bool is_worth_a_search(const Run& run, std::uint64_t roots) {
 std::uint64_t terms_worth_looking_at(const Run& run) {
   const Prepared& prepared = run.setting.prepared;
   const double cost = cost_of_paths(prepared.reduction.system, paths_at_stake(run));
-  const std::size_t open = open_to_more_digits(run).size();
+  const PathSet open = open_to_more_digits(run);
   const double least = !run.waiting.empty() ? 0
-                       : open == 0          ? kLeastTerms
-                                            : static_cast<double>(terms_instead_of(open));
+                       : open.empty()       ? kLeastTerms
+                                            : static_cast<double>(terms_instead_of(run, open));
   return static_cast<std::uint64_t>(
       std::min(std::max(least, kAlgebraShare * cost / kTermCost), 1e18));
 }
@@ -254,8 +256,14 @@ std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
 
 }  // namespace
 
-std::uint64_t terms_instead_of(std::size_t paths) {
-  return std::min(kMostTerms, kAffordableTerms * paths);
+std::uint64_t terms_instead_of(const Run& run, const PathSet& paths) {
+  const double of_one = cost_of_paths(run.setting.prepared.reduction.system, 1) / kTermCost;
+  double terms = 0;
+  for (const std::uint64_t path : paths) {
+    const double instead = run.in_double_double.contains(path) ? kAllDigits * of_one : 0;
+    terms += std::max(static_cast<double>(kAffordableTerms), instead);
+  }
+  return static_cast<std::uint64_t>(std::min(terms, static_cast<double>(kMostTerms)));
 }
 
 bool settle_by_bound(Run& run) {
@@ -308,7 +316,7 @@ bool are_as_counted(Run& run) {
   }
   if (roots != ring.dimension) return false;
   const std::uint64_t terms =
-      terms_instead_of(std::max<std::size_t>(1, open_to_more_digits(run).size()));
+      std::max(kAffordableTerms, terms_instead_of(run, open_to_more_digits(run)));
   if (run.bounds.for_points.allows(terms)) {
     run.bounds.points =
         quotient_ring(run.setting.prepared.reduction.system, {.most_terms = terms,

@@ -27,9 +27,10 @@
 
 namespace moivre {
 
-/// Terms of exact algebra that are worth it where so many paths would be followed in more digits:
-/// each takes as long as kAffordableTerms.
-std::uint64_t terms_instead_of(std::size_t paths);
+/// Terms of exact algebra that are worth it where these paths would be followed in more digits: in
+/// double-double each takes as long as kAffordableTerms; one that double-double has not decided
+/// takes all digits.
+std::uint64_t terms_instead_of(const Run& run, const PathSet& paths);
 
 /// Where a proved bound is met nothing is left in doubt: one path ends at each proved root, at each
 /// exact one (exact_roots.h) as many as its multiplicity, some on sets of positive dimension; every

@@ -119,7 +119,7 @@ void give_missing_roots(Run& run) {
   const bool may_have_digits = !run.setting.trackers.finer.empty();
   if (!can_be_found || !may_have_digits || run.setting.options.every_path) return;
   const PathSet paths = paths_without_proof(run);
-  const std::uint64_t terms = terms_instead_of(paths.size());
+  const std::uint64_t terms = terms_instead_of(run, paths);
   if (terms == 0 || !run.bounds.for_roots.allows(terms)) return;
   const auto points =
       ring_points(run.setting.prepared.reduction.system, {.most_terms = terms,
