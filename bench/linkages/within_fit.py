@@ -9,6 +9,9 @@ import numpy as np
 
 
 class WithinFit:
+    # Many rings of linkages with several links go round in a hundred steps, some only in thousands.
+    WALK = 3000
+
     def __init__(self, m, fit):
         self.m, self.fit = m, fit
         m.equations(m.drawn()[None])
@@ -89,7 +92,8 @@ class WithinFit:
         for begin in weak:
             for sign in (1, -1):
                 here, way, length = q, sign * begin, 0.2 * self.share ** 0.5
-                for _ in range(80):
+                has_left = False
+                for _ in range(self.WALK):
                     there = self.m.moved(here[None], (length * way * self.units)[None])[0]
                     then = self.corrected(there, way)
                     correction = math.inf if then is None else np.linalg.norm(self.m.step_between(there, then) / self.units)
@@ -102,6 +106,11 @@ class WithinFit:
                     way /= np.linalg.norm(way)
                     here, length = then, self.next_length(then, way, length, correction)
                     yield here
+                    # Once round is all of a ring.
+                    gone = np.linalg.norm(self.m.step_between(q, here) / self.units)
+                    if has_left and gone < 0.1:
+                        break
+                    has_left = has_left or gone > 0.3
 
     def hangs_together(self, q, others):
         """Which of the other poses q hangs together with, of those within the fit: an index, or None."""

@@ -79,7 +79,15 @@ NewtonResult settled(const ClosureSearch& search, const VectorXd& guess) {
   if (!search.mechanism.fit) return newton(search.phi, guess, t);
   NewtonResult run;
   run.q = least_squares_pose(search.phi, guess, t);
-  if (!run.q.allFinite() || misfit(search.phi, run.q, t) > *search.mechanism.fit) return run;
+  if (!run.q.allFinite()) return run;
+  const WithinFit within = within_fit(search);
+  const auto tell_least = [&] {
+    run.smallest_singular_value = singular_values(search.phi.jacobian(run.q, t)).tail(1)[0];
+    return run;
+  };
+  run.iterations.resize(1);
+  // Where least squares leave more than fit to some row no root is near.
+  if (!within.has(run.q)) return within.enter(run.q) ? tell_least() : run;
   NewtonOptions options;
   options.maximum_iterations = kIterations;
   NewtonResult polished = newton(search.phi, run.q, t, options);
@@ -87,8 +95,7 @@ NewtonResult settled(const ClosureSearch& search, const VectorXd& guess) {
                                                      polished.status == NewtonStatus::no_solution);
   if (is_settled && distance(search.phi, polished.q, run.q) <= kSamePlace) return polished;
   run.iterations = std::move(polished.iterations);
-  run.smallest_singular_value = singular_values(search.phi.jacobian(run.q, t)).tail(1)[0];
-  return run;
+  return tell_least();
 }
 
 bool hang_together(const ClosureSearch& search, const VectorXd& a, const VectorXd& b) {

@@ -26,6 +26,12 @@ constexpr double kWeak = 4;
 constexpr double kOfSolved = 20;
 constexpr double kFirstStep = 0.25;
 constexpr double kLeastStep = 0.01;
+// Least squares settle in so many steps; sharing out what they leave takes some more.
+constexpr int kPlainSteps = 4;
+constexpr int kStepsAcross = 8;
+constexpr int kStepsInto = 24;
+// Of fit: at its very end rounding would say whether a pose is within it.
+constexpr double kInside = 0.95;
 // In radians and of the mechanism's mean length: steps that a valley's bends allow, and so many
 // that a whole turn is within them. Along a straight valley lengths go by the pose's own size: what
 // slides along lines that fit does not part from parallel ones goes on without end.
@@ -61,20 +67,36 @@ bool WithinFit::is_beside_roots(const VectorXd& q) const {
 
 /// Puts q into W across `way`, in own units. Directions along which fit leaves the pose free are
 /// not gone along: damped by sigma^2 = fit.
-bool WithinFit::correct(VectorXd& q, const VectorXd& way) const {
-  constexpr int kCorrectionsAcross = 8;
-  const VectorXd row_unit = phi_.own_row_units();
-  for (int k = 0; k <= kCorrectionsAcross; ++k) {
+/// Rows that least squares leave beyond fit count for more, until fit is shared out: own units are
+/// not those of misfit(), which takes what a row misses at its lever arm.
+bool WithinFit::enter(VectorXd& q, const VectorXd& way, int most_steps, double share) const {
+  VectorXd weight = phi_.own_row_units().cwiseInverse();
+  for (int k = 0; k <= most_steps; ++k) {
     if (!q.allFinite()) return false;
-    if (has(q)) return true;
-    const MatrixXd J = in_own_units(phi_, phi_.jacobian(q, t_));
+    const VectorXd misses = row_misfits(phi_, q, t_) / (share * fit_);
+    if ((misses.array() <= 1).all()) return true;
+    if (k == most_steps) break;
+    if (k >= kPlainSteps) weight = weight.cwiseProduct(misses.cwiseMax(1));
+    const MatrixXd J = weight.asDiagonal() * phi_.jacobian(q, t_) * unit_.asDiagonal();
     MatrixXd normal = J.transpose() * J + way * way.transpose();
     normal.diagonal().array() += share_;
-    VectorXd step = normal.ldlt().solve(-J.transpose() * phi_.value(q, t_).cwiseQuotient(row_unit));
+    VectorXd step = normal.ldlt().solve(-J.transpose() * phi_.value(q, t_).cwiseProduct(weight));
     step -= way.dot(step) * way;
     q += unit_.cwiseProduct(step);
   }
-  return false;
+  return has(q);
+}
+
+bool WithinFit::correct(VectorXd& q, const VectorXd& way) const {
+  return enter(q, way, kStepsAcross, 1);
+}
+
+bool WithinFit::enter(VectorXd& q) const {
+  if (!q.allFinite()) return false;
+  const VectorXd row_unit = phi_.own_row_units();
+  const double least = phi_.value(q, t_).cwiseQuotient(row_unit).norm();
+  const double most = fit_ * misfit_units(phi_, q, t_).cwiseQuotient(row_unit).norm();
+  return least <= most && enter(q, VectorXd::Zero(phi_.dimension()), kStepsInto, kInside);
 }
 
 /// How long the next step may be, behind one of `length` along `way` to q that was put right by

@@ -27,6 +27,9 @@ class WithinFit {
 
   /// Whether q is in W.
   bool has(const Eigen::VectorXd& q) const;
+  /// Takes q, where |Phi| is least in own units, into W, where W can be next to it: in W |Phi| is
+  /// at most that of rows that all miss by fit, and at q it is no more than in W.
+  bool enter(Eigen::VectorXd& q) const;
   /// Whether Phi_q leaves a direction at q to fit.
   bool is_weak(const Eigen::VectorXd& q) const;
   /// Whether Phi_q fixes q so well that as many of its rows as there are unknowns, or as many
@@ -38,6 +41,7 @@ class WithinFit {
 
  private:
   Eigen::MatrixXd weak_directions(const Eigen::VectorXd& q) const;
+  bool enter(Eigen::VectorXd& q, const Eigen::VectorXd& way, int most_steps, double share) const;
   bool correct(Eigen::VectorXd& q, const Eigen::VectorXd& way) const;
   double next_length(const Eigen::VectorXd& q, const Eigen::VectorXd& way, double length,
                      double correction) const;

@@ -416,13 +416,16 @@ double residual_by_size(const Phi& phi, const VectorXd& q, double t) {
   return worst;
 }
 
-VectorXd row_misfits(const Phi& phi, const VectorXd& q, double t) {
-  const VectorXd rate = rates_by_displacement(phi, q, t);
-  VectorXd misses = phi.value(q, t).cwiseAbs();
-  for (Index i = 0; i < phi.size(); ++i) {
-    misses[i] = rate[i] > 0 ? misses[i] / rate[i] : misses[i] * phi.length();
+VectorXd misfit_units(const Phi& phi, const VectorXd& q, double t) {
+  VectorXd units = rates_by_displacement(phi, q, t);
+  for (double& unit : units) {
+    if (unit == 0) unit = 1 / phi.length();
   }
-  return misses;
+  return units;
+}
+
+VectorXd row_misfits(const Phi& phi, const VectorXd& q, double t) {
+  return phi.value(q, t).cwiseAbs().cwiseQuotient(misfit_units(phi, q, t));
 }
 
 double misfit(const Phi& phi, const VectorXd& q, double t) {

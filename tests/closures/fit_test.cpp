@@ -109,6 +109,55 @@ along = [1, 1.000001]
   }
 }
 
+// The crank's pin and its slot are 0.008 apart, 40 from where the crank turns: to 0.0027 at each of
+// three rows. Least squares in lengths of 3 leave nearly all of it to the crank's angle.
+TEST(Fit, TakesWhatLeastSquaresShareOutBadly) {
+  const auto mechanism_within = [](const std::string& fit) {
+    return mechanism_text("fit = " + fit + R"toml(
+[ground.points]
+O = [0, 0]
+A = [1, 0.008]
+B = [1, 0]
+C = [2, 0]
+[body.crank.points]
+O = [0, 0]
+P = [40, 0]
+[body.rocker.points]
+B = [0, 0]
+D = [1, 1]
+[body.rod.points]
+D = [0, 0]
+C = [1, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.O", "crank.O"]
+[[joint]]
+type = "slot"
+at = ["ground.A", "crank.P"]
+along = [1, 0]
+[[joint]]
+type = "revolute"
+at = ["ground.B", "rocker.B"]
+[[joint]]
+type = "revolute"
+at = ["rocker.D", "rod.D"]
+[[joint]]
+type = "revolute"
+at = ["rod.C", "ground.C"]
+[[driver]]
+angle = "crank"
+start = 0
+)toml");
+  };
+  for (const std::string fit : {"0.005", "0.003"}) {
+    const ClosureResult result = closures_of(mechanism_within(fit));
+    EXPECT_TRUE(result.complete) << result.message;
+    ASSERT_EQ(result.closures.size(), 2U) << result.message;
+    for (const Closure& closure : result.closures) EXPECT_LE(closure.misfit, std::stod(fit));
+  }
+  EXPECT_TRUE(closures_of(mechanism_within("0.0026")).closures.empty());
+}
+
 TEST(Fit, TwoClosuresFarFromAFoldDoNotHangTogether) {
   const Mechanism mechanism = four_bar("2", "3", "4", "5", "1", 1e-3);
   const ClosureResult result = closures_of(mechanism);
