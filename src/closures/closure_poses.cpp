@@ -30,24 +30,50 @@ constexpr double kPolish = 1e-4;
 // From a pose of links as meant to one of the file's it goes some times as far as these are apart.
 constexpr double kMoved = 10;
 
-/// Whether a root is near the pose q, as Phi and its derivatives there say. Along the direction v
-/// that Phi_q sees least, Phi is r + sigma s + b s^2 / 2: beside a fold that has no real zero
-/// though r is next to nothing.
-bool has_root_nearby(const Phi& phi, const Eigen::VectorXd& q, double t) {
-  constexpr double kSure = 0.125;  // of sigma^2; from 1/2 on there is no zero
+/// Along the direction v that Phi_q sees least, from the pose q: r + sigma s + b s^2 / 2.
+struct Weakest {
+  Eigen::VectorXd v;
+  double r = 0;
+  double sigma = 0;
+  double b = 0;
+};
+
+/// nullopt: nothing is unknown, or no equation says anything of it.
+std::optional<Weakest> weakest_at(const Phi& phi, const Eigen::VectorXd& q, double t) {
   const Eigen::VectorXd row_units = phi.own_row_units();
   const Svd J = svd(in_own_units(phi, phi.jacobian(q, t)), SingularVectors::thin);
-  if (J.sigma.size() == 0) return true;
+  if (J.sigma.size() == 0) return std::nullopt;
   const Eigen::Index last = J.sigma.size() - 1;
-  const Eigen::VectorXd v = phi.own_units().cwiseProduct(J.V.col(last));
+  Weakest weakest;
+  weakest.v = phi.own_units().cwiseProduct(J.V.col(last));
+  weakest.sigma = J.sigma[last];
   const auto of_rows = [&](const Eigen::VectorXd& rows) {
-    return std::abs(J.U.col(last).dot(rows.cwiseQuotient(row_units)));
+    return J.U.col(last).dot(rows.cwiseQuotient(row_units));
   };
+  weakest.r = of_rows(phi.value(q, t));
+  weakest.b = of_rows(phi.second_derivative(q, weakest.v, t, 0));
+  return weakest;
+}
+
+/// Whether a root is near the pose q, as Phi and its derivatives there say. Beside a fold there is
+/// no real zero though r is next to nothing.
+bool has_root_nearby(const Phi& phi, const Eigen::VectorXd& q, double t) {
+  constexpr double kSure = 0.125;  // of sigma^2; from 1/2 on there is no zero
+  const std::optional<Weakest> weakest = weakest_at(phi, q, t);
+  if (!weakest) return true;
   const double rounding = std::numeric_limits<double>::epsilon() *
-                          row_sizes(phi, q, t).cwiseQuotient(row_units).maxCoeff();
-  const double r = of_rows(phi.value(q, t)) + rounding;
-  const double b = of_rows(phi.second_derivative(q, v, t, 0));
-  return r * b < kSure * J.sigma[last] * J.sigma[last];
+                          row_sizes(phi, q, t).cwiseQuotient(phi.own_row_units()).maxCoeff();
+  const double r = std::abs(weakest->r) + rounding;
+  return r * std::abs(weakest->b) < kSure * weakest->sigma * weakest->sigma;
+}
+
+/// Newton-Raphson's run from where the other root beside the fold next to q is: s = -2 sigma / b.
+std::optional<NewtonResult> across_the_fold(const Phi& phi, const Eigen::VectorXd& q, double t) {
+  const std::optional<Weakest> weakest = weakest_at(phi, q, t);
+  if (!weakest || weakest->b == 0) return std::nullopt;
+  const Eigen::VectorXd there = q - 2 * weakest->sigma / weakest->b * weakest->v;
+  if (!there.allFinite()) return std::nullopt;
+  return newton(phi, there, t);
 }
 
 void take_pose(ClosureSearch& search, const Solution& solution, const NewtonResult& polished) {
@@ -116,16 +142,41 @@ enum class RootKind {
   does_not_close  ///< spare constraints keep Newton-Raphson away from zero, or leave one of several roots at its pose
 };
 
+/// Newton-Raphson's run from a root, and whether it came to a pose next to it.
+struct Polished {
+  NewtonResult pose;
+  bool stayed = false;
+};
+
+/// Of the two roots beside a fold of links as meant both may lead to one of the file's two: then
+/// the second one leads to the other.
+Polished polished_from(const ClosureSearch& search, const Solution& solution) {
+  const Phi& phi = search.phi;
+  const double meant_within = search.formulation.meant_within;
+  const Eigen::VectorXd guess = coordinates_of_root(search.formulation, solution.x);
+  const double most =
+      std::max(kPolish, kMoved * meant_within) * std::max(1.0, largest_of(phi, guess));
+  const auto has_stayed = [&](const Eigen::VectorXd& q) {
+    // At half a turn the same angle has two names.
+    return largest_of(phi, phi.canonical(q) - phi.canonical(guess)) <= most ||
+           largest_of(phi, q - guess) <= most;
+  };
+  NewtonResult pose = newton(phi, guess, search.options.time);
+  if (meant_within > 0 && pose.status == NewtonStatus::converged && !pose.is_singular &&
+      is_known(search, phi.canonical(pose.q))) {
+    std::optional<NewtonResult> other = across_the_fold(phi, pose.q, search.options.time);
+    if (other && other->status == NewtonStatus::converged && has_stayed(other->q)) {
+      pose = std::move(*other);
+    }
+  }
+  const bool stayed = has_stayed(pose.q);
+  return {std::move(pose), stayed};
+}
+
 /// Polishes a real root to a pose. `before`: those that are isolated.
 RootKind polish(ClosureSearch& search, const Solution& solution, std::vector<Solution>& before) {
   const Phi& phi = search.phi;
-  const Eigen::VectorXd guess = coordinates_of_root(search.formulation, solution.x);
-  const NewtonResult polished = newton(phi, guess, search.options.time);
-  const double moved = largest_of(phi, phi.canonical(polished.q) - phi.canonical(guess));
-  const double most = std::max(kPolish, kMoved * search.formulation.meant_within) *
-                      std::max(1.0, largest_of(phi, guess));
-  // At half a turn the same angle has two names.
-  const bool stayed = moved <= most || largest_of(phi, polished.q - guess) <= most;
+  const auto [polished, stayed] = polished_from(search, solution);
   if (polished.status == NewtonStatus::no_solution && phi.size() > phi.dimension() && stayed) {
     search.near_misses.push_back({solution});
     return RootKind::does_not_close;
@@ -147,6 +198,24 @@ RootKind polish(ClosureSearch& search, const Solution& solution, std::vector<Sol
   }
   take_pose(search, solution, polished);
   return RootKind::isolated;
+}
+
+/// Beside a fold links as meant may leave two complex roots where the file's leave two real ones:
+/// what these are then, entered.
+void polish_complex(ClosureSearch& search, Solution& solution) {
+  // What moves a fold by so much parts its roots by the root of that.
+  const double most = std::sqrt(search.formulation.meant_within);
+  const bool is_nearly_real = std::all_of(
+      solution.x.begin(), solution.x.end(),
+      [most](const Complex& z) { return std::abs(z.imag()) <= most * std::max(1.0, std::abs(z)); });
+  if (!is_nearly_real) return;
+  const auto [polished, stayed] = polished_from(search, solution);
+  if (!stayed || !shows_a_loss(search, polished)) return;
+  if (is_known(search, search.phi.canonical(polished.q))) return;
+  solution.real = true;
+  if (search.has_proofs()) solution.certified = false;
+  solution.residual = residual_by_size(search.phi, polished.q, search.options.time);
+  take_pose(search, solution, polished);
 }
 
 /// A root that an equation whose terms nearly cancel does not know, but all of Phi does: it is one.
@@ -307,6 +376,9 @@ void find_poses(ClosureSearch& search) {
         ++result.counts.rejected;
         break;
     }
+  }
+  for (Solution& solution : isolated) {
+    if (!solution.real && search.formulation.meant_within > 0) polish_complex(search, solution);
   }
   result.solutions = std::move(isolated);
   take_near_misses(search);
