@@ -200,24 +200,6 @@ RootKind polish(ClosureSearch& search, const Solution& solution, std::vector<Sol
   return RootKind::isolated;
 }
 
-/// Beside a fold links as meant may leave two complex roots where the file's leave two real ones:
-/// what these are then, entered.
-void polish_complex(ClosureSearch& search, Solution& solution) {
-  // What moves a fold by so much parts its roots by the root of that.
-  const double most = std::sqrt(search.formulation.meant_within);
-  const bool is_nearly_real = std::all_of(
-      solution.x.begin(), solution.x.end(),
-      [most](const Complex& z) { return std::abs(z.imag()) <= most * std::max(1.0, std::abs(z)); });
-  if (!is_nearly_real) return;
-  const auto [polished, stayed] = polished_from(search, solution);
-  if (!stayed || !shows_a_loss(search, polished)) return;
-  if (is_known(search, search.phi.canonical(polished.q))) return;
-  solution.real = true;
-  if (search.has_proofs()) solution.certified = false;
-  solution.residual = residual_by_size(search.phi, polished.q, search.options.time);
-  take_pose(search, solution, polished);
-}
-
 /// A root that an equation whose terms nearly cancel does not know, but all of Phi does: it is one.
 void take_back(ClosureSearch& search, Solution solution, const NewtonResult& pose) {
   solution.real = true;
@@ -376,9 +358,6 @@ void find_poses(ClosureSearch& search) {
         ++result.counts.rejected;
         break;
     }
-  }
-  for (Solution& solution : isolated) {
-    if (!solution.real && search.formulation.meant_within > 0) polish_complex(search, solution);
   }
   result.solutions = std::move(isolated);
   take_near_misses(search);

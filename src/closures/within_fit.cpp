@@ -26,7 +26,8 @@ constexpr double kWeak = 4;
 constexpr double kOfSolved = 20;
 constexpr double kFirstStep = 0.25;
 constexpr double kLeastStep = 0.01;
-// Least squares settle in so many steps; sharing out what they leave takes some more.
+// Least squares settle in so many steps. Sharing out what they leave takes some more, and still
+// more where all rows together miss by no more than if each missed by fit.
 constexpr int kPlainSteps = 4;
 constexpr int kStepsAcross = 8;
 constexpr int kStepsInto = 24;
@@ -67,36 +68,39 @@ bool WithinFit::is_beside_roots(const VectorXd& q) const {
 
 /// Puts q into W across `way`, in own units. Directions along which fit leaves the pose free are
 /// not gone along: damped by sigma^2 = fit.
-/// Rows that least squares leave beyond fit count for more, until fit is shared out: own units are
-/// not those of misfit(), which takes what a row misses at its lever arm.
-bool WithinFit::enter(VectorXd& q, const VectorXd& way, int most_steps, double share) const {
-  VectorXd weight = phi_.own_row_units().cwiseInverse();
-  for (int k = 0; k <= most_steps; ++k) {
-    if (!q.allFinite()) return false;
-    const VectorXd misses = row_misfits(phi_, q, t_) / (share * fit_);
-    if ((misses.array() <= 1).all()) return true;
-    if (k == most_steps) break;
-    if (k >= kPlainSteps) weight = weight.cwiseProduct(misses.cwiseMax(1));
-    const MatrixXd J = weight.asDiagonal() * phi_.jacobian(q, t_) * unit_.asDiagonal();
+/// Least squares of what rows miss by, at their lever arms. Rows that these leave beyond fit count
+/// for more, until fit is shared out.
+bool WithinFit::enter(VectorXd& q, const VectorXd& way, int fewest_steps, double inside) const {
+  VectorXd weight = VectorXd::Ones(phi_.size());
+  const double most = fit_ * std::sqrt(static_cast<double>(phi_.size()));
+  for (int k = 0; q.allFinite(); ++k) {
+    const VectorXd unit = misfit_units(phi_, q, t_);
+    const VectorXd value = phi_.value(q, t_).cwiseQuotient(unit);
+    const VectorXd share = value.cwiseAbs() / (inside * fit_);
+    if (k >= fewest_steps && (share.array() <= 1).all()) return true;
+    if (k == kStepsInto) return has(q);
+    if (k == kStepsAcross && value.norm() > most) return false;
+    if (k >= kPlainSteps) weight = weight.cwiseProduct(share.cwiseMax(1));
+    const VectorXd of_row = weight / phi_.length();
+    const MatrixXd J =
+        of_row.cwiseQuotient(unit).asDiagonal() * phi_.jacobian(q, t_) * unit_.asDiagonal();
     MatrixXd normal = J.transpose() * J + way * way.transpose();
     normal.diagonal().array() += share_;
-    VectorXd step = normal.ldlt().solve(-J.transpose() * phi_.value(q, t_).cwiseProduct(weight));
+    VectorXd step = normal.ldlt().solve(-J.transpose() * value.cwiseProduct(of_row));
     step -= way.dot(step) * way;
     q += unit_.cwiseProduct(step);
   }
-  return has(q);
+  return false;
 }
 
-bool WithinFit::correct(VectorXd& q, const VectorXd& way) const {
-  return enter(q, way, kStepsAcross, 1);
-}
+bool WithinFit::correct(VectorXd& q, const VectorXd& way) const { return enter(q, way, 0, 1); }
 
 bool WithinFit::enter(VectorXd& q) const {
   if (!q.allFinite()) return false;
   const VectorXd row_unit = phi_.own_row_units();
   const double least = phi_.value(q, t_).cwiseQuotient(row_unit).norm();
   const double most = fit_ * misfit_units(phi_, q, t_).cwiseQuotient(row_unit).norm();
-  return least <= most && enter(q, VectorXd::Zero(phi_.dimension()), kStepsInto, kInside);
+  return least <= most && enter(q, VectorXd::Zero(phi_.dimension()), kPlainSteps, kInside);
 }
 
 /// How long the next step may be, behind one of `length` along `way` to q that was put right by

@@ -41,7 +41,7 @@ class WithinFit {
 
  private:
   Eigen::MatrixXd weak_directions(const Eigen::VectorXd& q) const;
-  bool enter(Eigen::VectorXd& q, const Eigen::VectorXd& way, int most_steps, double share) const;
+  bool enter(Eigen::VectorXd& q, const Eigen::VectorXd& way, int fewest_steps, double inside) const;
   bool correct(Eigen::VectorXd& q, const Eigen::VectorXd& way) const;
   double next_length(const Eigen::VectorXd& q, const Eigen::VectorXd& way, double length,
                      double correction) const;

@@ -158,6 +158,63 @@ start = 0
   EXPECT_TRUE(closures_of(mechanism_within("0.0026")).closures.empty());
 }
 
+// Axes of slide and hinges are parallel but for rounding, so that a slide goes on without end. All
+// along it rows have to miss by 0.0047 at least, and fit is 0.005: what least squares leave to a
+// row is shared out at every step, or each place that they come to is a closure, 51 of them.
+TEST(Fit, ALongValleyThatIsBarelyWithinItHangsTogether) {
+  const ClosureResult result = closures_of(mechanism_text(R"toml(
+space = "spatial"
+fit = 0.005
+[ground.points]
+P0 = [60.0, 40.0, -60.0]
+P9 = [40.0, -60.0, 40.0]
+[body.b1.points]
+P1 = [77.049, -18.206, 52.569]
+P2 = [-35.458, 40.644, 35.866]
+[body.b2.points]
+P3 = [-25.533, 18.501, -49.673]
+P4 = [56.345, -8.818, 21.387]
+[body.b3.points]
+P5 = [-57.497, 25.098, 0.332]
+P6 = [-13.727, -77.47, 27.971]
+[body.b4.points]
+P7 = [65.099, 24.006, 46.714]
+P8 = [-74.725, -7.5, -29.816]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.P0", "b1.P1"]
+axis = [[1.0, 0.0, 0.0], [0.752, -0.642, -0.147]]
+[[joint]]
+type = "prismatic"
+name = "j1"
+at = ["b1.P2", "b2.P3"]
+axis = [[0.752, -0.642, -0.147], [0.785, -0.074, 0.616]]
+turn = 0.694
+[[joint]]
+type = "spherical"
+name = "j2"
+at = ["b2.P4", "b3.P5"]
+[[joint]]
+type = "revolute"
+name = "j3"
+at = ["b3.P6", "b4.P7"]
+axis = [[0.479, 0.48, 0.734], [0.35, -0.714, -0.607]]
+[[joint]]
+type = "revolute"
+name = "j4"
+at = ["b4.P8", "ground.P9"]
+axis = [[0.35, -0.714, -0.607], [0.0, 0.6, 0.8]]
+[[driver]]
+angle = "j0"
+start = -0.42297418477871085
+)toml"));
+  EXPECT_TRUE(result.complete) << result.message;
+  ASSERT_FALSE(result.closures.empty());
+  EXPECT_LE(result.closures.size(), 3U);
+  for (const Closure& closure : result.closures) EXPECT_GT(*closure.play, 2);
+}
+
 TEST(Fit, TwoClosuresFarFromAFoldDoNotHangTogether) {
   const Mechanism mechanism = four_bar("2", "3", "4", "5", "1", 1e-3);
   const ClosureResult result = closures_of(mechanism);
