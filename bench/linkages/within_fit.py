@@ -43,11 +43,21 @@ class WithinFit:
         return q
 
     def corrected(self, q, way):
-        """A pose within the fit beside q, across the way; None where there is none."""
-        for _ in range(10):
+        """A pose within the fit beside q, across the way; None where there is none.
+
+        Rows that least squares leave beyond the fit count for more, until it is shared out.
+        """
+        weight = np.ones(len(self.weight))
+        for k in range(25):
             f, j = (x[0] for x in self.rows(q[None]))
-            if np.abs(f).max() * self.m.size() <= self.fit:
+            misses = np.abs(f) / self.share
+            if misses.max() <= 1:
                 return q
+            if k == 8 and np.linalg.norm(misses) > math.sqrt(len(f)):
+                return None
+            if k >= 4:
+                weight *= np.maximum(misses, 1)
+            f, j = f * weight, j * weight[:, None]
             normal = j.T @ j + np.outer(way, way) + self.share * np.eye(j.shape[1])
             step = np.linalg.solve(normal, -j.T @ f)
             step -= way @ step * way

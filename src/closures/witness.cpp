@@ -94,9 +94,14 @@ void mark_drawn(ClosureSearch& search) {
 
 void look_for_witnesses(ClosureSearch& search) {
   const ClosureResult& result = search.result;
-  if (!result.complete || search.stop || result.moves) return;
+  if (search.stop || result.moves) return;
   look_for_fitted(search);
   letter(search.result.closures, search.phi);
+  if (!result.complete) {
+    // That something is missing is said already.
+    search.rootless = 0;
+    return;
+  }
   // Of a set that was taken for isolated closures what is listed is singular.
   for (const Closure& closure : result.closures) {
     if (closure.singular && !search.mechanism.fit && shows_a_motion(search, closure.q)) return;

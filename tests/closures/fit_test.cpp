@@ -215,6 +215,68 @@ start = -0.42297418477871085
   for (const Closure& closure : result.closures) EXPECT_GT(*closure.play, 2);
 }
 
+// Of the path to a slide that is infinitely long nothing is known. The pose that the loop was drawn
+// in was not looked for then.
+TEST(Fit, IsLookedIntoWherePathsFail) {
+  const ClosureResult result = closures_of(mechanism_text(R"toml(
+space = "spatial"
+fit = 0.005
+[ground.points]
+P0 = [-6.0, 4.0, -6.0]
+P11 = [4.0, -4.0, -2.0]
+[body.b1.points]
+P1 = [5.759, -3.885, -4.82]
+P2 = [2.185, -5.564, -0.303]
+[body.b2.points]
+P3 = [3.357, -3.793, -2.324]
+P4 = [-3.357, -4.853, 0.283]
+[body.b3.points]
+P5 = [3.504, -1.341, 6.321]
+P6 = [1.144, 5.88, 1.601]
+[body.b4.points]
+P7 = [-5.567, 4.445, -2.194]
+P8 = [0.849, -0.616, -3.299]
+[body.b5.points]
+P9 = [3.882, -2.101, 3.354]
+P10 = [3.213, -3.137, 4.928]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.P0", "b1.P1"]
+axis = [[0.0, 0.0, 1.0], [0.121, 0.895, 0.429]]
+[[joint]]
+type = "prismatic"
+name = "j1"
+at = ["b1.P2", "b2.P3"]
+axis = [[0.121, 0.895, 0.429], [-0.146, 0.913, 0.38]]
+turn = -0.457
+[[joint]]
+type = "revolute"
+name = "j2"
+at = ["b2.P4", "b3.P5"]
+axis = [[-0.184, -0.402, 0.897], [-0.295, 0.453, 0.841]]
+[[joint]]
+type = "universal"
+name = "j3"
+at = ["b3.P6", "b4.P7"]
+axis = [[-0.928, 0.291, 0.231], [-0.897, 0.442, 0.008]]
+[[joint]]
+type = "revolute"
+name = "j4"
+at = ["b4.P8", "b5.P9"]
+axis = [[-0.897, 0.442, 0.008], [0.334, 0.518, -0.787]]
+[[joint]]
+type = "revolute"
+name = "j5"
+at = ["b5.P10", "ground.P11"]
+axis = [[0.334, 0.518, -0.787], [0.0, 1.0, 0.0]]
+[[driver]]
+angle = "j0"
+start = 2.214449514592658
+)toml"));
+  EXPECT_GT(result.counts.fitted, 0U) << result.message;
+}
+
 TEST(Fit, TwoClosuresFarFromAFoldDoNotHangTogether) {
   const Mechanism mechanism = four_bar("2", "3", "4", "5", "1", 1e-3);
   const ClosureResult result = closures_of(mechanism);
