@@ -59,6 +59,9 @@ class WithinFit:
                 weight *= np.maximum(misses, 1)
             f, j = f * weight, j * weight[:, None]
             normal = j.T @ j + np.outer(way, way) + self.share * np.eye(j.shape[1])
+            # What is far off has weights beyond all bounds.
+            if not np.isfinite(normal).all() or np.linalg.cond(normal) > 1e18:
+                return None
             step = np.linalg.solve(normal, -j.T @ f)
             step -= way @ step * way
             q = self.m.moved(q[None], (step * self.units)[None])[0]
