@@ -27,10 +27,11 @@ constexpr double kOfSolved = 20;
 constexpr double kFirstStep = 0.25;
 constexpr double kLeastStep = 0.01;
 // Least squares settle in so many steps. Sharing out what they leave takes some more, and still
-// more where all rows together miss by no more than if each missed by fit.
+// more where all rows together miss by no more than if each missed by fit, and none by twice that.
 constexpr int kPlainSteps = 4;
 constexpr int kStepsAcross = 8;
 constexpr int kStepsInto = 24;
+constexpr double kNearlyIn = 2;
 // Of fit: at its very end rounding would say whether a pose is within it.
 constexpr double kInside = 0.95;
 // In radians and of the mechanism's mean length: steps that a valley's bends allow, and so many
@@ -79,7 +80,7 @@ bool WithinFit::enter(VectorXd& q, const VectorXd& way, int fewest_steps, double
     const VectorXd share = value.cwiseAbs() / (inside * fit_);
     if (k >= fewest_steps && (share.array() <= 1).all()) return true;
     if (k == kStepsInto) return has(q);
-    if (k == kStepsAcross && value.norm() > most) return false;
+    if (k == kStepsAcross && (value.norm() > most || share.maxCoeff() > kNearlyIn)) return false;
     if (k >= kPlainSteps) weight = weight.cwiseProduct(share.cwiseMax(1));
     const VectorXd of_row = weight / phi_.length();
     const MatrixXd J =
