@@ -204,6 +204,7 @@ TEST(FourBarLegs, NothingIsSolvedAboveRootsThatOtherEquationsRefuse) {
   EXPECT_EQ(result.stages[0].paths.finite, 40U);
   EXPECT_LE(result.stages[1].solves, 10U);
   EXPECT_NE(result.message.find("15 more poses miss"), std::string::npos) << result.message;
+}
 
 // The axes are across to 1e-3. At the dead point that it was drawn in it has pairs of closures
 // 3e-5 apart, beside pairs of the one as meant that are 1e-3 apart: those both led to one closure
