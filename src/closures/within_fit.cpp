@@ -75,7 +75,8 @@ bool WithinFit::enter(VectorXd& q, const VectorXd& way, int fewest_steps, double
   VectorXd weight = VectorXd::Ones(phi_.size());
   const double most = fit_ * std::sqrt(static_cast<double>(phi_.size()));
   for (int k = 0; q.allFinite(); ++k) {
-    const VectorXd unit = misfit_units(phi_, q, t_);
+    const MatrixXd jacobian = phi_.jacobian(q, t_);
+    const VectorXd unit = misfit_units(phi_, jacobian);
     const VectorXd value = phi_.value(q, t_).cwiseQuotient(unit);
     const VectorXd share = value.cwiseAbs() / (inside * fit_);
     if (k >= fewest_steps && (share.array() <= 1).all()) return true;
@@ -83,9 +84,10 @@ bool WithinFit::enter(VectorXd& q, const VectorXd& way, int fewest_steps, double
     if (k == kStepsAcross && (value.norm() > most || share.maxCoeff() > kNearlyIn)) return false;
     if (k >= kPlainSteps) weight = weight.cwiseProduct(share.cwiseMax(1));
     const VectorXd of_row = weight / phi_.length();
-    const MatrixXd J =
-        of_row.cwiseQuotient(unit).asDiagonal() * phi_.jacobian(q, t_) * unit_.asDiagonal();
-    MatrixXd normal = J.transpose() * J + way * way.transpose();
+    const MatrixXd J = of_row.cwiseQuotient(unit).asDiagonal() * jacobian * unit_.asDiagonal();
+    // LDL^T reads the lower half alone.
+    MatrixXd normal = MatrixXd::Zero(J.cols(), J.cols());
+    normal.selfadjointView<Eigen::Lower>().rankUpdate(J.transpose()).rankUpdate(way);
     normal.diagonal().array() += share_;
     VectorXd step = normal.ldlt().solve(-J.transpose() * value.cwiseProduct(of_row));
     step -= way.dot(step) * way;
@@ -100,7 +102,8 @@ bool WithinFit::enter(VectorXd& q) const {
   if (!q.allFinite()) return false;
   const VectorXd row_unit = phi_.own_row_units();
   const double least = phi_.value(q, t_).cwiseQuotient(row_unit).norm();
-  const double most = fit_ * misfit_units(phi_, q, t_).cwiseQuotient(row_unit).norm();
+  const double most =
+      fit_ * misfit_units(phi_, phi_.jacobian(q, t_)).cwiseQuotient(row_unit).norm();
   return least <= most && enter(q, VectorXd::Zero(phi_.dimension()), kPlainSteps, kInside);
 }
 

@@ -97,10 +97,9 @@ bool is_length(const Coordinate& coordinate) { return coordinate.kind == Coordin
 
 /// How fast each row changes at most when one body (or unknown) is displaced; 0 for a row that
 /// compares angles.
-VectorXd rates_by_displacement(const Phi& phi, const VectorXd& q, double t) {
-  MatrixXd J = phi.jacobian(q, t);
+VectorXd rates_by_displacement(const Phi& phi, const MatrixXd& J) {
   MatrixXd squares = MatrixXd::Zero(J.rows(), static_cast<Index>(phi.group_names().size()));
-  for (Index k = 0; k < q.size(); ++k) {
+  for (Index k = 0; k < J.cols(); ++k) {
     const Coordinate& coordinate = phi.coordinates()[static_cast<std::size_t>(k)];
     if (!is_length(coordinate)) continue;
     squares.col(static_cast<Index>(coordinate.group)) += J.col(k).cwiseAbs2();
@@ -416,8 +415,8 @@ double residual_by_size(const Phi& phi, const VectorXd& q, double t) {
   return worst;
 }
 
-VectorXd misfit_units(const Phi& phi, const VectorXd& q, double t) {
-  VectorXd units = rates_by_displacement(phi, q, t);
+VectorXd misfit_units(const Phi& phi, const MatrixXd& jacobian) {
+  VectorXd units = rates_by_displacement(phi, jacobian);
   for (double& unit : units) {
     if (unit == 0) unit = 1 / phi.length();
   }
@@ -425,7 +424,7 @@ VectorXd misfit_units(const Phi& phi, const VectorXd& q, double t) {
 }
 
 VectorXd row_misfits(const Phi& phi, const VectorXd& q, double t) {
-  return phi.value(q, t).cwiseAbs().cwiseQuotient(misfit_units(phi, q, t));
+  return phi.value(q, t).cwiseAbs().cwiseQuotient(misfit_units(phi, phi.jacobian(q, t)));
 }
 
 double misfit(const Phi& phi, const VectorXd& q, double t) {

@@ -146,7 +146,7 @@ double residual_by_size(const Phi& phi, const Eigen::VectorXd& q, double t);
 inline constexpr double kAssembled = 1e-9;
 
 /// What each row is where it misses by 1 of the file's unit of length; m.
-Eigen::VectorXd misfit_units(const Phi& phi, const Eigen::VectorXd& q, double t);
+Eigen::VectorXd misfit_units(const Phi& phi, const Eigen::MatrixXd& jacobian);
 /// By how much each row does not close, as a length in the file's unit; m. A row that compares
 /// angles is taken at a lever arm of phi.length().
 Eigen::VectorXd row_misfits(const Phi& phi, const Eigen::VectorXd& q, double t);
