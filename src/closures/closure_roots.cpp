@@ -412,7 +412,7 @@ void solve_free(ClosureSearch& search, const BlockStructure& structure) {
   RootProver prover(search.formulation, search.has_proofs());
   StageRun run = solve_blocks(search, search.formulation, determined, prover);
   take_account(search.result, run);
-  const bool has_roots = !run.roots.empty();
+  const bool has_roots = !run.roots.empty() || run.rejected > 0;
   reject_what_fails(search, structure.spare_equations, run.roots);
   if (run.complete && !run.moves) {
     if (has_roots && run.roots.empty()) return;
