@@ -47,8 +47,8 @@ bool is_settled(Run& run) {
 
 std::span<const Remedy> remedies() { return kRemedies; }
 
-void settle(Run& run, std::span<const Remedy> remedies) {
-  for (const Remedy remedy : remedies) {
+void settle(Run& run, std::span<const Remedy> table) {
+  for (const Remedy remedy : table) {
     if (run.interrupted) return;
     remedy(run);
     if (is_settled(run)) return;

@@ -24,7 +24,7 @@ using Remedy = void (*)(Run&);
 std::span<const Remedy> remedies();
 
 /// With fewer remedies a test shows what each is for.
-void settle(Run& run, std::span<const Remedy> remedies = remedies());
+void settle(Run& run, std::span<const Remedy> table = remedies());
 
 /// Whether a count tells that the paths without a root lead to no other; these are then not needed.
 bool is_settled(Run& run);

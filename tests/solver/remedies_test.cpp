@@ -201,7 +201,7 @@ const Need kNeeds[] = {
      " -900000000*x1*x3 + 5000*x2^2 - 7000000*x2*x4 - 30000;\n"},
 };
 
-SolveResult solve_with(std::span<const Remedy> remedies, const Need& need) {
+SolveResult solve_with(std::span<const Remedy> table, const Need& need) {
   const System f = read(need.system);
   const auto tracker = need.by_cvode ? make_cvode_tracker() : make_lane_tracker();
   const auto other = need.by_cvode ? make_lane_tracker() : make_cvode_tracker();
@@ -211,7 +211,7 @@ SolveResult solve_with(std::span<const Remedy> remedies, const Need& need) {
   const Setting setting(f, *tracker, options, stop);
   Run run(setting);
   track_to_ends(run);
-  settle(run, remedies);
+  settle(run, table);
   count_ends(run);
   SolveResult result;
   close_account(run, result);
