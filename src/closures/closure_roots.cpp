@@ -368,21 +368,6 @@ void settle_refuted(ClosureSearch& search) {
   result.failures.clear();
 }
 
-/// Those of the equations that say something of known unknowns alone.
-std::vector<std::size_t> of_known_alone(const Formulation& formulation, const PartialRoot& root,
-                                        const std::vector<std::size_t>& equations) {
-  std::vector<std::size_t> found;
-  for (const std::size_t e : equations) {
-    const auto& terms = formulation.system.polynomials[e].terms;
-    const bool is_known = std::all_of(terms.begin(), terms.end(), [&](const Term& term) {
-      return std::all_of(term.monomial.begin(), term.monomial.end(),
-                         [&](const Power& power) { return root.value[power.variable] != nullptr; });
-    });
-    if (is_known) found.push_back(e);
-  }
-  return found;
-}
-
 /// Takes away the roots of a part that fail an equation of it that was spare; no unknown that is
 /// free can mend that. Poses may be near them.
 void reject_what_fails(ClosureSearch& search, const std::vector<std::size_t>& spare,

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 
@@ -100,13 +100,15 @@ class Stages {
         prover_(prover) {
     begun.value.resize(formulation.system.variables.size());
     run_.roots.push_back(std::move(begun));
-    if (whole != nullptr) find_checks();
+    if (whole == nullptr) return;
+    unasked_.resize(whole->system.polynomials.size());
+    std::iota(unasked_.begin(), unasked_.end(), std::size_t{0});
   }
 
   StageRun run() && {
     for (const Block& block : blocks_) {
       solve_block(block);
-      reject_what_fails(block);
+      if (whole_ != nullptr) reject_what_fails();
     }
     return std::move(*this).take();
   }
@@ -143,24 +145,6 @@ class Stages {
     run_.roots = std::move(next);
   }
 
-  /// Which equations of the whole have all their unknowns known behind which block?
-  void find_checks() {
-    constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
-    std::vector<std::size_t> known_behind(formulation_.system.variables.size(), kNowhere);
-    for (std::size_t b = 0; b < blocks_.size(); ++b) {
-      for (const std::size_t v : blocks_[b].variables) known_behind[v] = b;
-    }
-    for (std::size_t e = 0; e < whole_->system.polynomials.size(); ++e) {
-      std::size_t last = 0;
-      for (const Term& term : whole_->system.polynomials[e].terms) {
-        for (const Power& power : term.monomial) {
-          last = std::max(last, known_behind[power.variable]);
-        }
-      }
-      if (last != kNowhere) checks_behind_[last].push_back(e);
-    }
-  }
-
   /// No real pose is near: nothing above the root is one that closes, or that tells what it misses
   /// by.
   bool fails(const PartialRoot& root, const ResidualOfRoots& residual) const {
@@ -170,11 +154,14 @@ class Stages {
   }
 
   /// What is solved above a root at which an equation fails, though it was none of those that were
-  /// solved, is no pose.
-  void reject_what_fails(const Block& block) {
-    const auto checks = checks_behind_.find(static_cast<std::size_t>(&block - blocks_.data()));
-    if (checks == checks_behind_.end()) return;
-    const ResidualOfRoots residual(*whole_, checks->second);
+  /// solved, is no pose. Each equation is asked once, as soon as its unknowns are known.
+  void reject_what_fails() {
+    if (run_.roots.empty()) return;
+    const auto known = of_known_alone(*whole_, run_.roots.front(), unasked_);
+    if (known.empty()) return;
+    std::erase_if(unasked_,
+                  [&](std::size_t e) { return std::binary_search(known.begin(), known.end(), e); });
+    const ResidualOfRoots residual(*whole_, known);
     std::erase_if(run_.roots, [&](const PartialRoot& root) {
       if (!fails(root, residual)) return false;
       run_.rejected += root.multiplicity;
@@ -596,9 +583,7 @@ class Stages {
     if (!prover_.is_on()) return;
     const KnownProof before = std::exchange(root.proof, nullptr);
     if (root.singular) return;
-    Point x;
-    for (const KnownValue& value : root.value) x.push_back(value ? value->rounded : 0);
-    root.proof = prover_.prove(before, x);
+    root.proof = prover_.prove(before, known_values(root));
   }
 
   /// What waits for its group is one.
@@ -630,8 +615,7 @@ class Stages {
   const std::atomic<bool>& stop_;
   RootProver& prover_;
   StageRun run_;
-  /// Equations of the whole, by the number of the block behind which all their unknowns are known.
-  std::map<std::size_t, std::vector<std::size_t>> checks_behind_;
+  std::vector<std::size_t> unasked_;  ///< equations of the whole, ascending
   const Block* block_of_exclusions_ = nullptr;
   std::vector<const Formulation::Exclusion*> exclusions_;  ///< of that block
   std::size_t lone_ = 0;
@@ -640,67 +624,6 @@ class Stages {
 };
 
 }  // namespace
-
-Polynomial substituted(const Polynomial& p, const std::vector<KnownValue>& value,
-                       const std::vector<std::uint32_t>& place) {
-  TermMap terms;
-  for (const Term& term : p.terms) {
-    Coefficient c = term.coefficient;
-    Monomial rest;
-    for (const Power& power : term.monomial) {
-      if (const auto& known = value[power.variable]) {
-        for (std::uint32_t k = 0; k < power.exponent; ++k) c = c * known->exact;
-      } else {
-        rest.push_back({place[power.variable], power.exponent});
-      }
-    }
-    std::sort(rest.begin(), rest.end());
-    const auto [at, is_new] = terms.emplace(std::move(rest), c);
-    if (!is_new) at->second = at->second + c;
-  }
-  return to_polynomial(std::move(terms));
-}
-
-double distance_from_image(const Formulation& formulation, const PartialRoot& root) {
-  double size = 1;
-  double apart = 0;
-  for (std::size_t v = 0; v < root.value.size(); ++v) {
-    const auto& image = root.value[formulation.mirror[v]];
-    if (!root.value[v] || !image) continue;
-    const Complex x = root.value[v]->rounded;
-    size = std::max(size, std::abs(x));
-    apart = std::max(apart, std::abs(x - std::conj(image->rounded)));
-  }
-  return apart / size;
-}
-
-bool may_be_real(const Formulation& formulation, const PartialRoot& root) {
-  return distance_from_image(formulation, root) <= (root.singular ? kHoldsSingular : kHolds);
-}
-
-bool is_rounded(const Formulation& formulation) {
-  const System& f = formulation.system;
-  return formulation.has_rounded_frames || f.polynomials.size() > f.variables.size();
-}
-
-bool is_of_parted(double condition, double product) {
-  constexpr double kExplained = 1e6;
-  // Of a pivot that rounding made 0 it is as large as it can.
-  constexpr double kMeasured = 1 / std::numeric_limits<double>::epsilon();
-  return product * std::min(condition, kMeasured) <= kExplained;
-}
-
-Point known_values(const PartialRoot& root) {
-  Point x;
-  for (const KnownValue& value : root.value) x.push_back(value ? value->rounded : 0);
-  return x;
-}
-
-double rounding_left(const Formulation& formulation) {
-  constexpr double kOfSolution = 1e-15;
-  constexpr double kOfCoefficients = 1e-14;
-  return is_rounded(formulation) ? kOfCoefficients : kOfSolution;
-}
 
 void add_solving(const SolveTime& part, SolveTime& sum) {
   sum.start += part.start;

@@ -95,6 +95,10 @@ bool is_of_parted(double condition, double product);
 /// 0 where a value is not known.
 Point known_values(const PartialRoot& root);
 
+/// Those of the equations all of whose unknowns are known, in their order.
+std::vector<std::size_t> of_known_alone(const Formulation& formulation, const PartialRoot& root,
+                                        const std::vector<std::size_t>& equations);
+
 /// Of the terms of an equation, at its roots: what rounding leaves of the solution alone, or of a
 /// file's numbers and of what frames are made of.
 double rounding_left(const Formulation& formulation);
