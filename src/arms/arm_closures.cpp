@@ -52,7 +52,11 @@ TypedPose workable(const TypedPose& pose, const std::string& name) {
   return {workable_pose(pose.pose, name), pose.accuracy};
 }
 
-using PoseFormula = std::variant<GroupFormula, PairFormula>;
+/// What proposes the closures of a pose.
+struct PoseFormula {
+  std::variant<GroupFormula, PairFormula> formula;
+  bool is_as_typed = false;  ///< not only for the geometry that the file's digits stand for
+};
 
 /// An arm whose poses are many: prepared once, with a family where that pays.
 struct PreparedList {
@@ -65,21 +69,27 @@ struct PreparedList {
 /// All closures of a pose, where the formula leads to as many as the regular pose has.
 std::optional<FoundClosures> closures_by(const PoseFormula& formula, const ArmBeginning& beginning,
                                          const Eigen::Isometry3d& pose) {
-  const auto proposed =
-      std::visit([&](const auto& of_arm) { return proposed_closures(of_arm, pose); }, formula);
-  return closures_proposed(proposed, beginning.six.arm, pose, beginning.regular.roots.size());
+  const auto proposed = std::visit(
+      [&](const auto& of_arm) { return proposed_closures(of_arm, pose); }, formula.formula);
+  auto found = closures_proposed(proposed, beginning.six.arm, pose, beginning.regular.roots.size());
+  if (found) found->are_all = formula.is_as_typed;
+  return found;
 }
 
 /// Where it finds all closures of the regular pose.
 std::optional<PoseFormula> formula_of(const ArmBeginning& beginning, std::uint64_t seed) {
+  constexpr double kRounding = 1e-9;
   const Arm& six = beginning.six.arm;
   std::optional<PoseFormula> formula;
   if (beginning.formula) {
-    formula = *beginning.formula;
+    formula = PoseFormula{*beginning.formula};
   } else if (auto pair = pair_formula(six, seed)) {
-    formula = std::move(*pair);
+    formula = PoseFormula{std::move(*pair)};
   }
-  if (formula && !closures_by(*formula, beginning, beginning.regular.pose)) return std::nullopt;
+  if (!formula) return std::nullopt;
+  const auto found = closures_by(*formula, beginning, beginning.regular.pose);
+  if (!found) return std::nullopt;
+  formula->is_as_typed = found->moved <= kRounding;
   return formula;
 }
 

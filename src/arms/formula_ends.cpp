@@ -129,13 +129,17 @@ std::optional<FoundClosures> closures_proposed(const ProposedClosures& proposed,
   for (std::size_t k = 0; k < proposed.pair_count && expected >= closures; ++k) {
     ConjugatePair& pair = found.pairs.emplace_back();
     pair.values = proposed.pairs[k];
-    if (settle(arm, wanted, pair)) continue;
+    if (settle(arm, wanted, pair)) {
+      found.moved = std::max(found.moved, (pair.values - proposed.pairs[k]).norm());
+      continue;
+    }
     found.pairs.pop_back();
     expected -= 2;
   }
   for (std::size_t k = 0; k < proposed.reals && expected >= closures; ++k) {
     auto real = settled(arm, pose, proposed.real[k]);
     if (real) {
+      found.moved = std::max(found.moved, (real->values - proposed.real[k]).norm());
       found.real.push_back(std::move(*real));
     } else {
       --expected;

@@ -34,6 +34,10 @@ struct ConjugatePair {
 struct FoundClosures {
   std::vector<Polished> real;
   std::vector<ConjugatePair> pairs;
+  /// Radians from what was proposed, the largest.
+  double moved = 0;
+  /// Of the arm as typed, too: the formula's geometry is the arm's, not what its digits stand for.
+  bool are_all = false;
 };
 
 /// All closures, where what is proposed leads to `closures` of them.

@@ -97,8 +97,9 @@ bool is_on(const Arm& arm, const SelfMotion& motion, const Eigen::VectorXd& valu
     const JointVector<double> side = way_between(arm, a, motion.samples[k]),
                               to = way_between(arm, a, values);
     const double along = std::clamp(to.dot(side) / std::max(side.squaredNorm(), 1e-300), 0.0, 1.0);
-    // Between samples a curve leaves its chord by a little.
-    if ((to - along * side).norm() < std::max(within, kBowOfChord * side.norm())) return true;
+    // Between samples a curve leaves its chord by a little; long ones are where it is straight.
+    const double bow = kBowOfChord * side.norm();
+    if ((to - along * side).norm() < std::max(within, bow)) return true;
   }
   return false;
 }

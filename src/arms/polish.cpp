@@ -134,6 +134,8 @@ double size_of(const Velocity6<double>& error) {
 Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const JointVector<double>& start,
                 bool is_damped) {
   constexpr double kFirstDamping = 1e-2, kMore = 4, kLess = 0.25;
+  constexpr double kValley = 1e-3, kHardlyLess = 0.9;
+  constexpr int kMostSlow = 20;
   Polished best;
   best.values = start;
   Linearized at = linearized(arm, pose, start);
@@ -142,7 +144,7 @@ Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const JointVector
   double here_residual = best.residual;
   double damping = is_damped ? kFirstDamping : 0;
   const int most = is_damped ? kMostDampedIterations : kMostIterations;
-  int failures = 0;
+  int failures = 0, slow = 0;
   while (best.iterations < most && here_residual > kLastBits) {
     const JointVector<double> step = step_of(at, damping);
     const JointVector<double> next = here + in_joints<double>(arm, step);
@@ -151,6 +153,8 @@ Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const JointVector
     ++best.iterations;
     if (residual < here_residual || contracts(at, step, damping, there.error)) {
       const bool has_settled = residual > 0.5 * here_residual && residual < kRoundingError;
+      // Far along a valley: of a set that the accuracy leaves open, or to where closures meet.
+      slow = residual < kValley && residual > kHardlyLess * here_residual ? slow + 1 : 0;
       here = next;
       here_residual = residual;
       at = there;
@@ -160,7 +164,7 @@ Polished polish(const Arm& arm, const Eigen::Isometry3d& pose, const JointVector
         best.values = here;
         best.residual = residual;
       }
-      if (has_settled) break;
+      if (has_settled || slow == kMostSlow) break;
     } else {
       // At the last digits no step makes the error smaller.
       constexpr int kMostFailures = 8;

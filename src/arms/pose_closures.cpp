@@ -116,7 +116,7 @@ struct PoseSearch {
   PostureList list;
   ArmResult result;
   std::vector<PathsSeen> seen;  ///< by beginning
-  bool are_all_simple = false;  ///< the formula's closures are all there are
+  bool are_found = false;       ///< the formula's closures, none of them near to others
 };
 
 PoseSearch begin_search(const PreparedArm& prepared, const TypedPose& at) {
@@ -208,8 +208,9 @@ std::uint64_t searches_for(const PoseSearch& pose, std::uint64_t as_witness) {
       std::any_of(pose.seen.begin(), pose.seen.end(),
                   [](const PathsSeen& seen) { return !seen.singular.empty(); });
   // Where all closures are simple, sets are those that digits leave open, through one of them.
+  const bool are_all_simple = pose.are_found || pose.list.has_all_closures;
   const bool may_be_sets = pose.prepared.is_always_moving || are_singular ||
-                           (pose.are_all_simple ? can_move(pose.list) : !pose.list.moves.empty());
+                           (are_all_simple ? can_move(pose.list) : !pose.list.moves.empty());
   if (may_be_sets) return kForSets;
   return has_none(pose.list) ? kForNearest : as_witness;
 }
@@ -272,9 +273,11 @@ ArmResult closures_at(const PreparedArm& prepared, const TypedPose& at, const Kn
                       const std::atomic<bool>& stop) {
   PoseSearch pose = begin_search(prepared, at);
   for (std::size_t k = 0; k < prepared.beginnings.size(); ++k) {
-    pose.are_all_simple = known.by_formula && read_found(prepared.beginnings[k], *known.by_formula,
-                                                         pose.list, pose.result);
-    if (!pose.are_all_simple) enter_ends(pose, k, known, tracker, stop);
+    const ArmBeginning& beginning = prepared.beginnings[k];
+    const auto& found = known.by_formula;
+    pose.list.has_all_closures = found && found->are_all;
+    pose.are_found = found && read_found(beginning, *found, pose.list, pose.result);
+    if (!pose.are_found) enter_ends(pose, k, known, tracker, stop);
   }
   follow_branches(pose.list);
   for (std::size_t k = 0; k < prepared.beginnings.size(); ++k) follow_crossings(pose, k);

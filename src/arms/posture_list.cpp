@@ -166,9 +166,11 @@ bool stands_alone(const PostureList& list, const SelfMotion& set, const Polished
 }
 
 /// The closures that are on a set within the digits.
-void enter_near(PostureList& list, const TracedSet& traced) {
+void enter_near(PostureList& list, TracedSet&& traced) {
+  if (list.has_all_closures) return;
   list.follows_digits = false;
-  for (const Eigen::VectorXd& near : traced.near_closures) enter(list, near, false);
+  const auto starts = closures_near(list.arm, list.pose, std::move(traced));
+  for (const Eigen::VectorXd& start : starts) enter(list, start, false);
   list.follows_digits = true;
 }
 
@@ -182,9 +184,9 @@ std::optional<std::size_t> add(PostureList& list, TracedSet&& traced, bool is_wi
   // An exact plane is told by its relations.
   const bool is_plane = is_there && !traced.motion.relations.empty();
   if (!traced.is_whole && !is_plane) list.are_sets_whole = false;
-  list.moves.push_back(std::move(traced.motion));
+  list.moves.push_back(traced.motion);
   if (is_there) return list.moves.size() - 1;
-  enter_near(list, traced);
+  enter_near(list, std::move(traced));
   return std::nullopt;
 }
 
@@ -450,7 +452,9 @@ void follow_branches(PostureList& list) {
       if (list.closures[k].smallest_singular_value > widest / kReachesFar) continue;
       const Eigen::VectorXd values = list.closures[k].values;
       const Screws<double> screws = linearized(list.arm, list.pose, values).screws;
+      const bool is_crossing = weak_directions(screws, widest) > 1;
       for (const double fine : kFiner) {
+        if (fine < 1 && !is_crossing) break;  // a piece of the one curve
         const double accuracy = fine * widest;
         const bool is_stiff = list.arm.joints.size() <= kFullArm &&
                               list.closures[k].smallest_singular_value > accuracy / kReachesFar;

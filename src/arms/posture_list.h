@@ -41,6 +41,8 @@ struct PostureList {
   /// Not from closures that such a set has led to: they are on it, and a surface has a curve
   /// through each.
   bool follows_digits = true;
+  /// Those that are entered from now on are all there are: none has to be looked for on sets.
+  bool has_all_closures = false;
   /// What is told of a set shows all of it.
   bool are_sets_whole = true;
 };

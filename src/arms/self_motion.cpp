@@ -160,6 +160,8 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
   Way way;
   SetPlace here = from;
   VectorXd first;
+  VectorXd bend = VectorXd::Zero(direction.size());  // by which chords turn, for the way gone
+  double last = 0;                                   // the last step's length
   double farthest = 0;
   double to_miss = std::numeric_limits<double>::infinity();  // the nearest one ahead
   for (int k = 0; k < most; ++k) {
@@ -169,7 +171,8 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
     VectorXd gone;
     for (int h = 0; h <= kHalvings; ++h, step /= 2) {
       if (h > 0 && step > kClearlyBefore * to_miss) continue;
-      next = moved(arm, pose, here, direction, step, accuracy);
+      const VectorXd chord = (direction + (last + step) / 2 * bend).normalized();
+      next = moved(arm, pose, here, chord, step, accuracy);
       if (!next) {
         to_miss = std::min(to_miss, step);
         continue;
@@ -179,8 +182,10 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
       if (gone.dot(direction) > kStraight) break;
     }
     if (!next) return way;
-    direction = gone;
     const double went = apart(arm, here.values, next->values);
+    if (k > 0) bend = (gone - direction) / ((last + went) / 2);
+    direction = gone;
+    last = went;
     to_miss = went < to_miss ? to_miss - went : std::numeric_limits<double>::infinity();
     here = std::move(*next);
     way.places.push_back(here);
@@ -337,17 +342,6 @@ std::vector<SetPlace> trace_curve(const Arm& arm, const Eigen::Isometry3d& pose,
   return places;
 }
 
-/// Where closures of the arm are on a curve that is open within an accuracy only.
-std::vector<VectorXd> closures_near(const Arm& arm, const Eigen::Isometry3d& pose,
-                                    const SelfMotion& motion, std::vector<SetPlace> places,
-                                    double accuracy) {
-  if (motion.misfit <= kReach && !has_ends(motion)) return {};
-  for (std::size_t k = 0; motion.closes && k < 2; ++k) {
-    places.push_back(again_after(arm, places.back(), places[k]));
-  }
-  return near_closures(arm, pose, places, accuracy);
-}
-
 /// Of 3^n - 1: along each of orthonormal columns, to both sides, and between them.
 std::vector<VectorXd> all_sides(const MatrixXd& columns) {
   std::vector<VectorXd> sides{VectorXd::Zero(columns.rows())};
@@ -426,7 +420,6 @@ void trace_surface(const Cover& cover, TracedSet& traced) {
   SelfMotion& motion = traced.motion;
   take(cover.places, motion.samples, motion.misfit);
   traced.is_whole = cover.is_whole;
-  if (motion.misfit > kReach) traced.near_closures = motion.samples;
 }
 
 /// The directions in which its places lie: beside a curve along which the tip moves as little
@@ -480,34 +473,38 @@ bool is_told_there(const Arm& arm, const std::vector<SelfMotion>& told, const Se
   });
 }
 
-/// Whether a curve that is told may be there, of an arm of six joints or fewer. It reaches
-/// kShortestCurve probes, half of that to one side, and begins along the one direction that may
-/// stand, where there is but one.
-bool may_reach(const Arm& arm, const Eigen::Isometry3d& pose, const VectorXd& from,
-               double accuracy) {
+/// Of an arm of six joints or fewer the one direction that may stand, where there is but one.
+std::optional<SetBegin> one_way(const Arm& arm, const Eigen::Isometry3d& pose,
+                                const VectorXd& from) {
   constexpr Index kSix = 6;
+  if (from.size() > kSix) return std::nullopt;
+  SetPlace place = place_at(arm, pose, from);
+  const Screws<double>& screws = place.at.screws;
+  if (still_count(screws, kMayStand * screws.norm()) > 1) return std::nullopt;
+  const VectorXd way = least_motion(screws).joints;
+  return SetBegin{std::move(place), way};
+}
+
+/// Whether a curve that is told may be there: it reaches kShortestCurve probes, half of that to one
+/// side.
+bool may_reach(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
+               double accuracy) {
   constexpr int kSteps = 3;
   constexpr double kNearlyHalf = 0.47 * kShortestCurve * kProbe, kClearly = 1.15;
-  const SetPlace place = place_at(arm, pose, from);
-  const Screws<double>& screws = place.at.screws;
-  const bool is_one_way =
-      from.size() <= kSix && still_count(screws, kMayStand * screws.norm()) <= 1;
-  if (!is_one_way) return true;
-  const VectorXd way = least_motion(screws).joints;
   const auto reaches = [&](const VectorXd& side) {
     const double step = kNearlyHalf / kSteps;
-    const SetPlace end = walk(arm, pose, place, side, kClearly * accuracy, step, kSteps);
-    return apart(arm, end.values, from) > (kSteps - 0.5) * step;
+    const SetPlace end = walk(arm, pose, begin.place, side, kClearly * accuracy, step, kSteps);
+    return apart(arm, end.values, begin.place.values) > (kSteps - 0.5) * step;
   };
+  const VectorXd way = begin.ways.col(0);
   return reaches(way) || reaches(-way);
 }
 
 /// `size`: of probes and steps, beside the usual ones.
 std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& pose,
-                                       const VectorXd& from, double accuracy, double size,
-                                       std::uint64_t seed, const std::vector<SelfMotion>& told) {
+                                       std::optional<SetBegin> begin, double accuracy, double size,
+                                       const std::vector<SelfMotion>& told) {
   const double probe = size * kProbe, step = size * kStep;
-  auto begin = set_begin(arm, pose, from, accuracy, probe, seed);
   if (!begin) return std::nullopt;
   if (begin->ways.cols() > 1 && accuracy > kReach) {
     begin->ways = far_reaching(arm, pose, *begin, accuracy, step);
@@ -526,9 +523,9 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   motion.dimension = static_cast<int>(begin->ways.cols());
   motion.values = begin->place.values;
   motion.misfit = begin->place.residual;
-  std::vector<SetPlace> curve;
+  traced.accuracy = accuracy;
   if (motion.dimension == 1) {
-    curve = trace_curve(arm, pose, *begin, accuracy, step, traced);
+    traced.curve = trace_curve(arm, pose, *begin, accuracy, step, traced);
   } else {
     trace_surface(*cover, traced);
   }
@@ -538,9 +535,6 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   if (reached < (is_open ? kShortestCurve : kShortest) * probe) return std::nullopt;
   // A curve of postures ends nowhere: what is small and ends is near closures alone.
   if (size < 1 && !motion.closes && reached < kShortestCurve * kProbe) return std::nullopt;
-  if (motion.dimension == 1) {
-    traced.near_closures = closures_near(arm, pose, motion, std::move(curve), accuracy);
-  }
   JointPlane plane = plane_of(arm, motion.samples, motion.dimension);
   motion.directions = begin->ways;
   for (Index k = 0; k < motion.directions.cols(); ++k) {
@@ -568,16 +562,36 @@ bool has_ends(const SelfMotion& set) {
 std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose,
                                    const VectorXd& from, double accuracy, std::uint64_t seed,
                                    const std::vector<SelfMotion>& told) {
+  const auto traced_at = [&](double size, double open) {
+    return trace_at_size(arm, pose, set_begin(arm, pose, from, open, size * kProbe, seed), open,
+                         size, told);
+  };
+  if (accuracy > kReach) {
+    auto begin = one_way(arm, pose, from);
+    if (!begin) return traced_at(1, accuracy);
+    if (!may_reach(arm, pose, *begin, accuracy)) return std::nullopt;
+    return trace_at_size(arm, pose, std::move(begin), accuracy, 1, told);
+  }
   // The exact set may be small, as beside a stretched elbow. Where k closures meet the tip is
   // missed by the k-th power of the way: so near it must not be missed by as much.
   constexpr double kSmaller[] = {0.1, 0.01};
-  if (accuracy > kReach && !may_reach(arm, pose, from, accuracy)) return std::nullopt;
-  auto traced = trace_at_size(arm, pose, from, accuracy, 1, seed, told);
+  auto traced = traced_at(1, accuracy);
   for (const double size : kSmaller) {
-    if (traced || accuracy > kReach) break;
-    traced = trace_at_size(arm, pose, from, size * accuracy, size, seed, told);
+    if (!traced) traced = traced_at(size, size * accuracy);
   }
   return traced;
+}
+
+std::vector<VectorXd> closures_near(const Arm& arm, const Eigen::Isometry3d& pose,
+                                    TracedSet&& traced) {
+  const SelfMotion& motion = traced.motion;
+  if (motion.misfit <= kReach && !has_ends(motion)) return {};
+  if (motion.dimension > 1) return motion.samples;
+  std::vector<SetPlace>& places = traced.curve;
+  for (std::size_t k = 0; motion.closes && k < 2; ++k) {
+    places.push_back(again_after(arm, places.back(), places[k]));
+  }
+  return near_closures(arm, pose, places, traced.accuracy);
 }
 
 std::vector<TracedSet> trace_branches(const Arm& arm, const Eigen::Isometry3d& pose,

@@ -19,14 +19,15 @@
 #include <vector>
 
 #include "moivre/arms/arm_closures.h"
+#include "set_place.h"
 
 namespace moivre {
 
 struct TracedSet {
   SelfMotion motion;
-  /// Of a set within the accuracy only: where Newton's method is begun for closures.
-  std::vector<Eigen::VectorXd> near_closures;
-  bool is_whole = true;  ///< it may be too large to be followed to all its ends
+  std::vector<SetPlace> curve;  ///< its places in order, where the dimension is 1
+  double accuracy = 0;          ///< within which it was followed
+  bool is_whole = true;         ///< it may be too large to be followed to all its ends
 };
 
 /// A curve of postures ends nowhere: one that does, where it misses the pose by more than rounding,
@@ -43,6 +44,11 @@ inline constexpr double kAsClear = 3, kBesideSet = 0.03;
 std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose,
                                    const Eigen::VectorXd& from, double accuracy, std::uint64_t seed,
                                    const std::vector<SelfMotion>& told = {});
+
+/// Where Newton's method is begun for the closures that are on a set that is there within an
+/// accuracy only.
+std::vector<Eigen::VectorXd> closures_near(const Arm& arm, const Eigen::Isometry3d& pose,
+                                           TracedSet&& traced);
 
 /// Where sets cross that are open within the accuracy the tip can move little along `weak`
 /// directions and more: the sets that go on along some of them, from a place that is clearly on

@@ -159,7 +159,7 @@ JointVector<double> step_of(const Linearized& at, const Frozen& frozen, double a
 SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, Eigen::VectorXd values,
                  const Eigen::MatrixXd& frozen, double accuracy) {
   constexpr int kMost = 40;
-  constexpr double kLongest = 0.2, kSettled = 1e-13, kShare = 1e-3;
+  constexpr double kLongest = 0.2, kSettled = 1e-13, kShare = 1e-3, kCurved = 0.1;
   const double enough = std::max(kSettled, kShare * accuracy);
   JointVector<double> here = values;
   Linearized at = linearized(arm, pose, here);
@@ -174,6 +174,8 @@ SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, Eigen::VectorXd 
       break;
     }
     at = linearized(arm, pose, here);
+    if (accuracy > kReach && size * size < kCurved * enough)
+      break;  // the next step is as its square
   }
   return {here, size_of(at.error), at};
 }
