@@ -281,6 +281,9 @@ bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
   auto moves = moves_at(search.phi, q, search.options.time, search.options.solve.seed);
   if (!moves) return false;
   search.result.moves = std::move(moves);
+  // What was shown of isolated closures is not.
+  auto& completeness = search.result.completeness;
+  if (completeness) completeness = RootCompleteness::open;
   return true;
 }
 

@@ -392,7 +392,10 @@ void RootProver::add(const Block& block) {
 bool RootProver::knows_terms() const { return !work_ || work_->enclosed.has_same_terms; }
 
 bool RootProver::has_exact_numbers() const {
-  return work_ && work_->formulation.is_exact && work_->enclosed.factor_errors.empty();
+  if (!work_) return false;
+  const Formulation& formulation = work_->formulation;
+  return formulation.is_exact && !formulation.has_rounded_frames &&
+         work_->enclosed.factor_errors.empty();
 }
 
 bool RootProver::has_general_numbers() const {

@@ -68,14 +68,6 @@ bool is_listed(const ClosureSearch& search, const VectorXd& q) {
   });
 }
 
-/// Whether the pose moves: then what was shown of isolated closures is not.
-bool shows_a_motion(ClosureSearch& search, const VectorXd& q) {
-  if (!lies_on_motion(search, q)) return false;
-  auto& completeness = search.result.completeness;
-  if (completeness) completeness = RootCompleteness::open;
-  return true;
-}
-
 }  // namespace
 
 void mark_drawn(ClosureSearch& search) {
@@ -104,7 +96,7 @@ void look_for_witnesses(ClosureSearch& search) {
   }
   // Of a set that was taken for isolated closures what is listed is singular.
   for (const Closure& closure : result.closures) {
-    if (closure.singular && !search.mechanism.fit && shows_a_motion(search, closure.q)) return;
+    if (closure.singular && !search.mechanism.fit && lies_on_motion(search, closure.q)) return;
   }
   const bool has_found = result.counts.real + result.counts.fitted > 0;
   NewtonOptions options;
@@ -120,7 +112,7 @@ void look_for_witnesses(ClosureSearch& search) {
     if (pose.status != NewtonStatus::converged) continue;
     // Within a fit a pose is singular that stands alone as typed, unless it closes as typed.
     const bool may_move = !search.mechanism.fit || closes(search, pose);
-    if (pose.is_singular && may_move && shows_a_motion(search, q)) return;
+    if (pose.is_singular && may_move && lies_on_motion(search, q)) return;
     if (!shows_a_loss(search, pose)) continue;
     ++search.rootless;
     return;

@@ -23,8 +23,11 @@ Rational without_noise(double x);
 /// A shift to a point, whose coordinates are the decimals that were typed.
 ExactPose shift_to(const Eigen::Vector3d& point);
 ExactPose turn_about_z(double angle_rad);
-/// The joint's frame (mechanism/pose.h) that has its z axis along `axis`.
+/// The joint's frame (mechanism/pose.h) that has its z axis along `axis`: exactly, where all
+/// directions of it are fractions as typed, else rounded.
 ExactPose frame_of(const Eigen::Vector3d& axis);
+/// Whether it is exact: (0, 0.6, 0.8) and two directions across it are of length 1.
+bool has_exact_frame(const Eigen::Vector3d& axis);
 /// A turn by the quaternion q, of any norm: its largest entry becomes 1.
 ExactPose turn_by(const Quaternion<double>& q);
 /// z tilted about x by the angle whose half has this tangent.

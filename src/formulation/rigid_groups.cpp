@@ -57,6 +57,7 @@ class Grouping {
       }
     }
     number_groups();
+    note_rounding();
     for (const std::size_t k : free) tie(mechanism_.joints[k], driven_joint(mechanism_, k, t_));
     add_driven_points();
     return std::move(groups_);
@@ -137,6 +138,21 @@ class Grouping {
       if (is_rod(tie)) tie.square = signed_square(joint.length);
     }
     groups_.ties.push_back(std::move(tie));
+  }
+
+  /// A turn is a fraction where it is none.
+  void note_rounding() {
+    const auto is_exact = [&](std::size_t k) {
+      const Joint& joint = mechanism_.joints[k];
+      const std::size_t axes = axis_count(joint.type);
+      const bool is_turned = axes > 0 && joint.turn_rad != 0;
+      return !is_turned && driven_joint(mechanism_, k, t_).angle.value_or(0) == 0 &&
+             std::all_of(joint.axis.begin(), joint.axis.begin() + (axes > 0 ? 2 : 0),
+                         has_exact_frame);
+    };
+    for (std::size_t k = 0; k < mechanism_.joints.size(); ++k) {
+      groups_.has_exact_frames = groups_.has_exact_frames && is_exact(k);
+    }
   }
 
   void number_groups() {

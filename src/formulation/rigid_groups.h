@@ -104,6 +104,8 @@ struct RigidGroups {
   std::vector<ExactPose> in_group;               ///< each body's frame in its group's
   std::vector<Tie> ties;
   std::vector<DrivenPoint> driven_points;
+  /// No joint's frame was rounded, and no turn: what is made of them alone is what was typed.
+  bool has_exact_frames = true;
   std::vector<bool> is_left_out;              ///< of each group: a link that became a tie
   std::vector<PoseReading::Placement> links;  ///< of these, but for struts, legs and four-bars
   std::vector<Strut> struts;

@@ -12,8 +12,8 @@ namespace {
 constexpr std::size_t kFewest = 3;
 constexpr std::size_t kMost = 6;
 
-/// The pose by short numbers. Each is rounded once, from what it is exactly: axes that are parallel
-/// or meet do so still, and what closes in a plane does not miss it by rounding.
+/// The pose by numbers of double. Each is rounded once, from what it is exactly: axes that are
+/// parallel or meet do so still, and what closes in a plane does not miss it by rounding.
 ExactPose shortened(const ExactPose& pose) {
   const Rational half(1, 2);
   const Quaternion<Rational> exact = shift_of(pose);
@@ -29,20 +29,39 @@ ExactPose shortened(const ExactPose& pose) {
   return shifted * turn_by(turn);
 }
 
+/// The pose with a turn of which the largest part is 1.
+ExactPose with_largest_one(const ExactPose& pose) {
+  Rational largest = 0;
+  for (const Rational& part : pose.q) {
+    if (abs(largest) < abs(part)) largest = part;
+  }
+  return 1 / largest * pose;
+}
+
+/// Fractions that were typed stay so on their way round a loop, and need not be rounded: what is
+/// special about the loop as typed is so of its equations. Products of rounded turns are longer.
+bool is_short(const ExactPose& pose) {
+  constexpr std::size_t kShort = 128;
+  for (std::size_t k = 0; k < pose.size(); ++k) {
+    if (bit_length(pose[k]) > kShort) return false;
+  }
+  return true;
+}
+
 /// A of a turn about the z axis of a frame, or of a slide along it.
 ExactPose axis_at(const ExactPose& frame, bool is_turn) {
-  const ExactPose near = shortened(frame);
   const ExactPose z = is_turn ? ExactPose{{0, 0, 0, 1}, {}} : ExactPose{{}, {0, 0, 0, {1, 2}}};
-  return 1 / norm(near) * (near * z * conjugate(near));
+  return 1 / norm(frame) * (frame * z * conjugate(frame));
 }
 
 /// Axes where all joints are at rest; without unknowns. Seen from the first joint: places far from
 /// the origin would be rounded by more, and a loop that moves would not.
-JointLoop at_rest(const RigidGroups& groups, const std::vector<Tie>& loop) {
+JointLoop at_rest(SpatialFrame& frame, const RigidGroups& groups, const std::vector<Tie>& loop) {
   const Quaternion<Rational> first = shift_of(loop.front().at_i);
   const Rational half(1, 2);
   const ExactPose origin{{1, 0, 0, 0}, {0, half * first[1], half * first[2], half * first[3]}};
   JointLoop joints;
+  std::vector<ExactPose> frames;
   ExactPose at = conjugate(origin);
   for (const Tie& tie : loop) {
     for (const TieStep& step : steps_of(tie, true)) {
@@ -52,11 +71,21 @@ JointLoop at_rest(const RigidGroups& groups, const std::vector<Tie>& loop) {
       }
       const bool is_turn = step.kind == TieStep::Kind::turn;
       const bool is_last = &tie == &loop.back();
-      joints.elements.push_back({joints.elements.size(), axis_at(at, is_turn), is_turn, step.name,
-                                 groups.bodies[is_last ? tie.i : tie.j]});
+      frames.push_back(with_largest_one(at));
+      joints.elements.push_back(
+          {joints.elements.size(), {}, is_turn, step.name, groups.bodies[is_last ? tie.i : tie.j]});
     }
   }
-  joints.whole = conjugate(shortened(at * origin));
+  frames.push_back(with_largest_one(at * origin));
+  const bool are_short = std::all_of(frames.begin(), frames.end(), is_short);
+  if (!are_short || !groups.has_exact_frames) frame.note_rounding();
+  if (!are_short) {
+    for (ExactPose& near : frames) near = shortened(near);
+  }
+  for (LoopElement& element : joints.elements) {
+    element.axis = axis_at(frames[element.number], element.is_turn);
+  }
+  joints.whole = conjugate(frames.back());
   return joints;
 }
 
@@ -119,8 +148,7 @@ std::optional<std::vector<Tie>> loop_of(const RigidGroups& groups, const Part& p
 }
 
 void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<Tie>& loop) {
-  frame.note_rounding();
-  JointLoop joints = at_rest(groups, loop);
+  JointLoop joints = at_rest(frame, groups, loop);
   // What is told from rounding by far.
   constexpr double kContradicts = 1e-8;
   const double left = turn_not_made_up(joints);

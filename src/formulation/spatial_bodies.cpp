@@ -68,6 +68,7 @@ double leave_out_links(RigidGroups& groups, double length) {
   // Of axes and points typed with two digits.
   constexpr double kRounded = 3e-2;
   double within = 0;
+  const std::size_t before = groups.left_out.size();
   leave_out_rods(groups);
   for (const Part& part : parts_of(groups)) {
     if (loop_of(groups, part)) continue;
@@ -82,11 +83,14 @@ double leave_out_links(RigidGroups& groups, double length) {
     groups = std::move(meant);
     within = kRounded;
   }
+  // What stands for a link is placed by rounded numbers.
+  if (groups.left_out.size() > before) groups.has_exact_frames = false;
   return within;
 }
 
-/// Whether all joints' frames are typed points, none of them turned.
+/// Whether all joints' frames are what was typed: fractions, or points that are not turned.
 bool has_exact_frames(const RigidGroups& groups) {
+  if (groups.has_exact_frames) return true;
   const auto is_shift = [](const ExactPose& pose) { return pose.q == ExactPose::identity().q; };
   return std::all_of(groups.ties.begin(), groups.ties.end(),
                      [&](const Tie& tie) { return is_shift(tie.at_i) && is_shift(tie.at_j); });

@@ -254,10 +254,11 @@ start = 0.0
   }
 }
 
-// A flat loop: its two real roots are farther apart than rounding of their numbers, and Newton's
-// method comes from both to the flat pose.
+// A flat loop whose numbers are fractions: its double root is one, exactly. With an axis that is
+// rounded its two real roots are farther apart than rounding of their numbers, and Newton's method
+// comes from both to the flat pose.
 TEST(NearADeadPoint, TwoRootsThatComeToOneSingularPoseAreOneClosure) {
-  const ClosureResult result = closures_of(R"toml(
+  const std::string fractions = R"toml(
 space = "spatial"
 [ground.points]
 P0 = [2.0, 0.0, 0.0]
@@ -302,15 +303,19 @@ axis = [0.6, 0.0, 0.8]
 [[driver]]
 angle = "j0"
 start = 0.0
-)toml");
-  EXPECT_TRUE(result.complete) << result.message;
-  ASSERT_EQ(result.closures.size(), 1U);
-  EXPECT_EQ(result.counts.real, 1U);
-  EXPECT_EQ(result.counts.complex, 1U);
-  EXPECT_EQ(result.closures[0].multiplicity, 2U);
-  EXPECT_TRUE(result.closures[0].cluster);
-  EXPECT_TRUE(result.closures[0].singular);
-  EXPECT_EQ(result.solutions[0].multiplicity, 2U);
+)toml";
+  for (const bool is_rounded : {false, true}) {
+    const ClosureResult result = closures_of(mechanism_text(
+        is_rounded ? replaced(fractions, "0.6, 0.8]", "0.5, 0.8660254037844386]") : fractions));
+    EXPECT_TRUE(result.complete) << result.message;
+    ASSERT_EQ(result.closures.size(), 1U);
+    EXPECT_EQ(result.counts.real, 1U);
+    EXPECT_EQ(result.counts.complex, 1U);
+    EXPECT_EQ(result.closures[0].multiplicity, 2U);
+    EXPECT_EQ(result.closures[0].cluster, is_rounded);
+    EXPECT_TRUE(result.closures[0].singular);
+    EXPECT_EQ(result.solutions[0].multiplicity, 2U);
+  }
 }
 
 // A piston on three equal cranks at the end of its stroke, typed with fifteen digits in frames of

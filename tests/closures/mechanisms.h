@@ -20,6 +20,15 @@ inline Mechanism driven_from(Mechanism mechanism, double start_rad, std::size_t 
   return mechanism;
 }
 
+/// The text with every `what` replaced.
+inline std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos;
+       at = text.find(what, at + by.size())) {
+    text.replace(at, what.size(), by);
+  }
+  return text;
+}
+
 inline ClosureResult closures_of(const Mechanism& mechanism, std::uint64_t seed = 1,
                                  double time = 0) {
   ClosureOptions options;

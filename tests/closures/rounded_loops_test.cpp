@@ -368,7 +368,7 @@ start = 0.0)toml");
 
 /// Three roots of a dead point, which rounding parts by 1e-7.
 TEST(RoundedLoops, ThreeClosuresThatAreOneAreNoSet) {
-  const Mechanism mechanism = mechanism_text(R"toml(
+  const std::string fractions = R"toml(
 space = "spatial"
 [ground.points]
 P0 = [-4.0, -6.0, 2.0]
@@ -412,15 +412,20 @@ at = ["b4.P8", "ground.P9"]
 axis = [0.6, 0.0, 0.8]
 [[driver]]
 angle = "j0"
-start = 0.0)toml");
-  const ClosureResult result = closures_of(mechanism);
-  EXPECT_TRUE(result.complete) << result.message;
-  ASSERT_EQ(result.counts.real, 6U);
-  const auto drawn = std::find_if(result.closures.begin(), result.closures.end(),
-                                  [](const Closure& closure) { return closure.is_drawn; });
-  ASSERT_NE(drawn, result.closures.end());
-  EXPECT_TRUE(drawn->cluster);
-  EXPECT_EQ(drawn->multiplicity, 3U);
+start = 0.0)toml";
+  for (const bool is_rounded : {false, true}) {
+    const ClosureResult result = closures_of(mechanism_text(
+        is_rounded
+            ? replaced(fractions, "0.6, 0.0, 0.8]", "0.7071067811865476, 0.0, 0.7071067811865476]")
+            : fractions));
+    EXPECT_TRUE(result.complete) << result.message;
+    ASSERT_EQ(result.counts.real, 6U);
+    const auto drawn = std::find_if(result.closures.begin(), result.closures.end(),
+                                    [](const Closure& closure) { return closure.is_drawn; });
+    ASSERT_NE(drawn, result.closures.end());
+    EXPECT_EQ(drawn->cluster, is_rounded || !proves_beyond_double());
+    EXPECT_EQ(drawn->multiplicity, 3U);
+  }
 }
 
 /// Flat but for rounding: eight paths go to half angles of tangent i, and no digits tell which.

@@ -8,6 +8,7 @@
 
 #include "../mechanism/files.h"
 #include "exact_pose.h"
+#include "moivre/formulation/exact.h"
 #include "moivre/formulation/formulation.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/numeric/dual_quaternion.h"
@@ -38,6 +39,25 @@ TEST(ExactPose, FramesAreThoseOfPhiWithinRounding) {
     const DualQuaternion<double> frame = to_double(frame_of(axis));
     const Eigen::Quaterniond turn(frame.q[0], frame.q[1], frame.q[2], frame.q[3]);
     EXPECT_LE((turn.normalized().toRotationMatrix() - joint_frame(axis)).norm(), 1e-14);
+  }
+}
+
+// Its axis and two directions across it have fractions as coordinates, so that the frame has.
+TEST(ExactPose, AFrameOfFractionsIsExact) {
+  EXPECT_TRUE(has_exact_frame({0, 0.6, 0.8}));
+  EXPECT_TRUE(has_exact_frame({-1, 0, 0}));
+  EXPECT_FALSE(has_exact_frame({0, 0.5, 0.8660254037844386}));
+  for (const Vector3d& axis :
+       {Vector3d(0, 0.6, 0.8), Vector3d(0.6, 0, -0.8), Vector3d(-0.28, 0.96, 0), Vector3d(0, 0, -1),
+        Vector3d(0, -1, 0), Vector3d(1, 0, 0)}) {
+    const ExactPose frame = frame_of(axis);
+    const ExactPose z = frame * ExactPose{{0, 0, 0, 1}, {}} * conjugate(frame);
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_EQ(z.q[k + 1], norm(frame) * typed_decimal(axis[static_cast<Eigen::Index>(k)]));
+    }
+    const DualQuaternion<double> rounded = to_double(frame);
+    const Eigen::Quaterniond turn(rounded.q[0], rounded.q[1], rounded.q[2], rounded.q[3]);
+    EXPECT_LE((turn.normalized().toRotationMatrix() - joint_frame(axis)).norm(), 1e-15);
   }
 }
 
