@@ -129,7 +129,7 @@ class Bodies {
     for (const std::size_t body : bodies) {
       const auto& angle = known_.angles[body];
       if (!angle || frame_.angle(body).root == frame_.angle(angle->root).root) continue;
-      frame_.hold_angle(angle->root, body, unit_at(computed_angle(angle->value)), name);
+      frame_.hold_angle(angle->root, body, unit_at(angle->exact), name);
     }
   }
 

@@ -18,13 +18,15 @@
 #include <vector>
 
 #include "moivre/mechanism/mechanism.h"
+#include "typed_numbers.h"
 
 namespace moivre {
 
 /// a_body = a_root + value.
 struct KnownAngle {
-  std::size_t root = 0;  ///< the ground, or a body that is left free
-  double value = 0;      ///< rad
+  std::size_t root = 0;   ///< the ground, or a body that is left free
+  double value = 0;       ///< rad
+  ExactAngle exact = {};  ///< the same, of the angles as typed
 };
 
 /// A rack's slide or a cam's lift that is known.

@@ -52,13 +52,6 @@ ExactAngle degrees_of(double angle_rad) {
   return best;
 }
 
-ExactAngle plus(ExactAngle a, const ExactAngle& b) {
-  a.degrees += b.degrees;
-  a.radians += b.radians;
-  a.error += b.error;
-  return a;
-}
-
 /// Where the law is none of exact numbers: how large what it was computed from is.
 double size_of(const Spline& law, double) {
   double size = 0;
@@ -89,6 +82,13 @@ EnclosedNumber typed(double number) { return {typed_decimal(number), 0}; }
 
 EnclosedNumber computed_number(double value) {
   return {typed_decimal(value), kComputed * std::abs(value)};
+}
+
+ExactAngle plus(ExactAngle a, const ExactAngle& b) {
+  a.degrees += b.degrees;
+  a.radians += b.radians;
+  a.error += b.error;
+  return a;
 }
 
 ExactAngle times(const Rational& factor, ExactAngle angle) {

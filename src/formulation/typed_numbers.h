@@ -31,6 +31,7 @@ ExactAngle typed_angle(double angle_rad, const Units& units);
 EnclosedNumber computed_number(double value);
 ExactAngle computed_angle(double angle_rad);
 
+ExactAngle plus(ExactAngle a, const ExactAngle& b);
 ExactAngle times(const Rational& factor, ExactAngle angle);
 
 ExactAngle driven_angle(const DriverLaw& law, double t, const Units& units);
