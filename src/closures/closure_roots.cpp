@@ -281,7 +281,10 @@ void merge_unproved(ClosureSearch& search, const ResidualOfRoots& residual) {
   std::vector<Solution>& roots = search.result.solutions;
   const auto is_unproved = [&](const Solution& root) {
     if (root.certified == true) return false;
-    return root.singular ? root.cluster : is_rounded(search.formulation) || may_be_several(root);
+    if (root.singular) return root.cluster;
+    // Where proofs are made every simple root has one, unless another is within rounding of the
+    // values above which it was solved: of a block of one equation the condition does not tell.
+    return search.has_proofs() || is_rounded(search.formulation) || may_be_several(root);
   };
   const auto erase = [&](std::size_t k) {
     roots.erase(roots.begin() + static_cast<std::ptrdiff_t>(k));

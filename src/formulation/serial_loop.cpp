@@ -12,21 +12,25 @@ namespace {
 constexpr std::size_t kFewest = 3;
 constexpr std::size_t kMost = 6;
 
-/// The pose by numbers of double. Each is rounded once, from what it is exactly: axes that are
-/// parallel or meet do so still, and what closes in a plane does not miss it by rounding.
-ExactPose shortened(const ExactPose& pose) {
+/// A shift by numbers of double.
+ExactPose rounded_shift(const Quaternion<Rational>& exact) {
   const Rational half(1, 2);
-  const Quaternion<Rational> exact = shift_of(pose);
-  ExactPose shifted{{1, 0, 0, 0}, {}};
+  ExactPose shift{{1, 0, 0, 0}, {}};
   for (std::size_t k = 1; k < exact.size(); ++k) {
-    shifted.g[k] = half * Rational(to_double(exact[k]));
+    shift.g[k] = half * Rational(to_double(exact[k]));
   }
+  return shift;
+}
+
+/// The pose by numbers of double, each rounded once, from what it is exactly: what closes in a plane
+/// does not miss it by rounding.
+ExactPose shortened(const ExactPose& pose) {
   const Rational largest =
       *std::max_element(pose.q.begin(), pose.q.end(),
                         [](const Rational& x, const Rational& y) { return x * x < y * y; });
   Quaternion<double> turn;
   for (std::size_t k = 0; k < turn.size(); ++k) turn[k] = to_double(pose.q[k] / largest);
-  return shifted * turn_by(turn);
+  return rounded_shift(shift_of(pose)) * turn_by(turn);
 }
 
 /// The pose with a turn of which the largest part is 1.
@@ -54,6 +58,62 @@ ExactPose axis_at(const ExactPose& frame, bool is_turn) {
   return 1 / norm(frame) * (frame * z * conjugate(frame));
 }
 
+/// The line of a joint: the z axis of a frame, whichever way the frame is turned about it.
+struct Line {
+  /// Turns z to the line, about an axis across z: of parallel lines one. Lines look upwards, those
+  /// that look down are reversed.
+  Quaternion<Rational> turn;
+  bool is_reversed = false;
+  Quaternion<Rational> place;  ///< of a point on it
+};
+
+Line line_of(const ExactPose& frame) {
+  const auto tilt_of = [](const Quaternion<Rational>& q) {
+    return std::array<Rational, 2>{q[1] * q[3] + q[0] * q[2], q[2] * q[3] - q[0] * q[1]};
+  };
+  const Rational zero(0);
+  Quaternion<Rational> q = frame.q;
+  const Rational up = q[0] * q[0] + q[3] * q[3] - q[1] * q[1] - q[2] * q[2];
+  const auto [x, y] = tilt_of(q);
+  Line line;
+  line.place = shift_of(frame);
+  line.is_reversed = up != zero ? up < zero : y != zero ? y < zero : x < zero;
+  if (line.is_reversed) q = product(q, Quaternion<Rational>{0, 1, 0, 0});
+  const Rational scale = 1 / (q[0] * q[0] + q[3] * q[3]);
+  const auto tilt = tilt_of(q);
+  line.turn = {1, -scale * tilt[1], scale * tilt[0], 0};
+  return line;
+}
+
+/// Whether two parallel lines are one.
+bool passes_through(const Line& line, const Quaternion<Rational>& place) {
+  Quaternion<Rational> apart = place;
+  for (std::size_t k = 0; k < apart.size(); ++k) apart[k] -= line.place[k];
+  // Turned back it is along z.
+  const auto turned = product(product(conjugate(line.turn), apart), line.turn);
+  return turned[1].is_zero() && turned[2].is_zero();
+}
+
+/// The frames' z axes by numbers of double, each line rounded once: what is parallel, meets at a
+/// joint's place or is one line does and is so still.
+std::vector<ExactPose> shortened_axes(const std::vector<ExactPose>& frames) {
+  std::vector<Line> lines;
+  std::vector<ExactPose> axes;
+  for (const ExactPose& frame : frames) {
+    Line line = line_of(frame);
+    const auto same = std::find_if(lines.begin(), lines.end(), [&](const Line& other) {
+      return other.turn == line.turn && passes_through(other, line.place);
+    });
+    if (same != lines.end()) line.place = same->place;
+    Quaternion<double> turn;
+    for (std::size_t k = 0; k < turn.size(); ++k) turn[k] = to_double(line.turn[k]);
+    axes.push_back(rounded_shift(line.place) * turn_by(turn));
+    if (line.is_reversed) axes.back() = axes.back() * ExactPose{{0, 1, 0, 0}, {}};
+    lines.push_back(std::move(line));
+  }
+  return axes;
+}
+
 /// Axes where all joints are at rest; without unknowns. Seen from the first joint: places far from
 /// the origin would be rounded by more, and a loop that moves would not.
 JointLoop at_rest(SpatialFrame& frame, const RigidGroups& groups, const std::vector<Tie>& loop) {
@@ -76,16 +136,17 @@ JointLoop at_rest(SpatialFrame& frame, const RigidGroups& groups, const std::vec
           {joints.elements.size(), {}, is_turn, step.name, groups.bodies[is_last ? tie.i : tie.j]});
     }
   }
-  frames.push_back(with_largest_one(at * origin));
-  const bool are_short = std::all_of(frames.begin(), frames.end(), is_short);
+  ExactPose whole = with_largest_one(at * origin);
+  const bool are_short = is_short(whole) && std::all_of(frames.begin(), frames.end(), is_short);
   if (!are_short || !groups.has_exact_frames) frame.note_rounding();
   if (!are_short) {
-    for (ExactPose& near : frames) near = shortened(near);
+    whole = shortened(whole);
+    frames = shortened_axes(frames);
   }
   for (LoopElement& element : joints.elements) {
     element.axis = axis_at(frames[element.number], element.is_turn);
   }
-  joints.whole = conjugate(frames.back());
+  joints.whole = conjugate(whole);
   return joints;
 }
 

@@ -318,6 +318,75 @@ start = 0.0
   }
 }
 
+// A dyad that is stretched but for the fourth decimal, between a crank and a wheel that it turns: as
+// the wheel's angle is known exactly, its closures are proved.
+TEST(NearADeadPoint, AboveAGearIsProvedAsTyped) {
+  const ClosureResult result = closures_of(mechanism_text(R"toml(
+[ground.points]
+P0 = [1.0934, -9.5326]
+P2 = [-5.7199, -8.4474]
+P13 = [6.0066, 0.1753]
+[body.b1.points]
+P1 = [1.0934, -9.5326]
+P7 = [-4.2897, -3.3119]
+[body.b2.points]
+P3 = [-5.7199, -8.4474]
+P4 = [-9.43, -7.7405]
+P8 = [-7.8424, -4.4442]
+[body.b3.points]
+P5 = [-9.43, -7.7405]
+P6 = [-4.8148, -3.3954]
+[body.b4.points]
+P9 = [-7.8424, -4.4442]
+P10 = [-14.7669, -6.754]
+[body.b5.points]
+P11 = [-14.7669, -6.754]
+P12 = [6.0066, 0.1753]
+[[joint]]
+type = "revolute"
+name = "j0"
+at = ["ground.P0", "b1.P1"]
+[[joint]]
+type = "revolute"
+name = "j1"
+at = ["ground.P2", "b2.P3"]
+[[joint]]
+type = "gear"
+name = "j2"
+bodies = ["b1", "b2"]
+ratio = [1, -2]
+phase = 0.0
+carrier = "ground"
+[[joint]]
+type = "revolute"
+name = "j3"
+at = ["b2.P4", "b3.P5"]
+[[joint]]
+type = "slot"
+name = "j4"
+at = ["b3.P6", "b1.P7"]
+along = [0.9876, 0.1571]
+[[joint]]
+type = "revolute"
+name = "j5"
+at = ["b2.P8", "b4.P9"]
+[[joint]]
+type = "revolute"
+name = "j6"
+at = ["b4.P10", "b5.P11"]
+[[joint]]
+type = "revolute"
+name = "j7"
+at = ["b5.P12", "ground.P13"]
+[[driver]]
+angle = "b1"
+start = 0.0
+)toml"));
+  EXPECT_TRUE(result.complete) << result.message;
+  EXPECT_EQ(result.completeness, RootCompleteness::proved);
+  EXPECT_EQ(result.counts.real, 4U);
+}
+
 // A piston on three equal cranks at the end of its stroke, typed with fifteen digits in frames of
 // their own. Rounding left a pair of complex roots, and it was said that it cannot be assembled.
 TEST(NearADeadPoint, OfRedundantEquationsARealPoseThatRoundingMakesComplexIsListed) {
