@@ -22,8 +22,8 @@ ExactPose rounded_shift(const Quaternion<Rational>& exact) {
   return shift;
 }
 
-/// The pose by numbers of double, each rounded once, from what it is exactly: what closes in a plane
-/// does not miss it by rounding.
+/// The pose by numbers of double, each rounded once, from what it is exactly: what closes in a
+/// plane does not miss it by rounding.
 ExactPose shortened(const ExactPose& pose) {
   const Rational largest =
       *std::max_element(pose.q.begin(), pose.q.end(),

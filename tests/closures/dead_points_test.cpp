@@ -318,8 +318,8 @@ start = 0.0
   }
 }
 
-// A dyad that is stretched but for the fourth decimal, between a crank and a wheel that it turns: as
-// the wheel's angle is known exactly, its closures are proved.
+// A dyad that is stretched but for the fourth decimal, between the ground and a wheel that a crank
+// turns: as the wheel's angle is known exactly, its closures are proved.
 TEST(NearADeadPoint, AboveAGearIsProvedAsTyped) {
   const ClosureResult result = closures_of(mechanism_text(R"toml(
 [ground.points]
