@@ -46,12 +46,9 @@ double bend(const Matrix6& screws, const Matrix6& inverse) {
   return 2 * std::sqrt(squares);
 }
 
-/// What Kantorovich's theorem asks, with a margin.
-bool contracts(const ConjugatePair& pair, const Matrix6& screws, const Matrix6& inverse) {
-  if (pair.accuracy * kNeighbourhood * screws.squaredNorm() <= kContracts * pair.stiffness) {
-    return true;
-  }
-  return pair.accuracy * kNeighbourhood / 2 * bend(screws, inverse) <= kContracts;
+/// What Kantorovich's theorem asks, with a margin, of a last step so long.
+bool contracts(double step, const Matrix6& screws, const Matrix6& inverse) {
+  return step * kNeighbourhood / 2 * bend(screws, inverse) <= kContracts;
 }
 
 bool settle(const Arm& arm, const Placement<Complex>& pose, ConjugatePair& pair) {
@@ -67,7 +64,9 @@ bool settle(const Arm& arm, const Placement<Complex>& pose, ConjugatePair& pair)
     pair.stiffness = 1 / inverse.norm();
     pair.values += step;
     if (!((pair.values - start).norm() <= kMovedByMeaning)) return false;
-    if (pair.accuracy <= kSettled && contracts(pair, screws, inverse)) {
+    const double K = kNeighbourhood * screws.squaredNorm();
+    const bool is_clear = pair.accuracy * K <= kContracts * pair.stiffness;
+    if (pair.accuracy <= kSettled && (is_clear || contracts(pair.accuracy, screws, inverse))) {
       pair.imaginary = pair.values.imag().cwiseAbs().maxCoeff();
       return pair.imaginary > kDifferent;
     }
@@ -78,10 +77,14 @@ bool settle(const Arm& arm, const Placement<Complex>& pose, ConjugatePair& pair)
 std::optional<Polished> settled(const Arm& arm, const Eigen::Isometry3d& pose,
                                 const JointVector<double>& start) {
   Polished polished = polish(arm, pose, start);
+  if (!((polished.values - start).norm() <= kMovedByMeaning)) return std::nullopt;
   const double sigma = polished.smallest_singular_value;
   const double K = kNeighbourhood * polished.screws_square;
-  if (!((polished.values - start).norm() <= kMovedByMeaning)) return std::nullopt;
-  if (!((polished.residual + kRounding) * K <= kContracts * sigma * sigma)) return std::nullopt;
+  const double miss = polished.residual + kRounding;
+  if (miss * K <= kContracts * sigma * sigma) return polished;
+  const Matrix6 screws = linearized(arm, pose, polished.values).screws.cast<Complex>();
+  const Matrix6 inverse = screws.partialPivLu().inverse();
+  if (!contracts(miss * inverse.norm(), screws, inverse)) return std::nullopt;
   return polished;
 }
 
