@@ -64,10 +64,26 @@ bool is_on_surface(const Arm& arm, const SelfMotion& motion, const Eigen::Vector
   return false;
 }
 
+/// Between two samples a curve leaves its chord by a little.
+bool passes_by(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+               const Eigen::VectorXd& values, double within) {
+  constexpr double kBowOfChord = 0.1;
+  const double most = std::max(within, kBowOfChord * kStep);
+  JointVector<double> side(a.size()), to(a.size());
+  for (Eigen::Index k = 0; k < a.size(); ++k) {
+    side[k] = joint_way(arm, a, b, k);
+    to[k] = joint_way(arm, a, values, k);
+    if (std::abs(to[k]) > std::abs(side[k]) + most) return false;
+  }
+  const double along = std::clamp(to.dot(side) / std::max(side.squaredNorm(), 1e-300), 0.0, 1.0);
+  const double bow = kBowOfChord * std::min(kStep, side.norm());
+  return (to - along * side).norm() < std::max(within, bow);
+}
+
 }  // namespace
 
 bool is_on(const Arm& arm, const SelfMotion& motion, const Eigen::VectorXd& values, double within) {
-  constexpr double kStandsStill = 5e-3, kBowOfChord = 0.1;
+  constexpr double kStandsStill = 5e-3;
   require_values(arm, values);
   const double near_plane = within;
   if (!motion.relations.empty()) {
@@ -94,12 +110,7 @@ bool is_on(const Arm& arm, const SelfMotion& motion, const Eigen::VectorXd& valu
   if (motion.dimension > 1) return is_on_surface(arm, motion, values, within);
   for (std::size_t k = motion.closes ? 0 : 1; k < motion.samples.size(); ++k) {
     const Eigen::VectorXd& a = k > 0 ? motion.samples[k - 1] : motion.samples.back();
-    const JointVector<double> side = way_between(arm, a, motion.samples[k]),
-                              to = way_between(arm, a, values);
-    const double along = std::clamp(to.dot(side) / std::max(side.squaredNorm(), 1e-300), 0.0, 1.0);
-    // Between samples a curve leaves its chord by a little; long ones are where it is straight.
-    const double bow = kBowOfChord * side.norm();
-    if ((to - along * side).norm() < std::max(within, bow)) return true;
+    if (passes_by(arm, a, motion.samples[k], values, within)) return true;
   }
   return false;
 }

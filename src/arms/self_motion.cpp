@@ -151,7 +151,7 @@ struct Way {
 /// again. Shorter ones look for its end on this side.
 Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, VectorXd direction,
            int most, double accuracy, double longest) {
-  constexpr int kHalvings = 4;
+  const int halvings = accuracy > kReach ? 3 : 4;  // an end within an accuracy is no point
   /// Samples follow a curve: the cosine between one step and the next.
   constexpr double kStraight = 0.995;
   constexpr double kSameWay = 0.5;
@@ -169,7 +169,7 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
     longest = std::max(longest, std::min(kStep, kOfTheWay * farthest));
     double step = longest;
     VectorXd gone;
-    for (int h = 0; h <= kHalvings; ++h, step /= 2) {
+    for (int h = 0; h <= halvings; ++h, step /= 2) {
       if (h > 0 && step > kClearlyBefore * to_miss) continue;
       const VectorXd chord = (direction + (last + step) / 2 * bend).normalized();
       next = moved(arm, pose, here, chord, step, accuracy);
