@@ -353,19 +353,20 @@ ArbOutcome ArbStage::Work::approach(double farthest) {
 void ArbStage::Work::split_midpoint(Certificate& result) {
   const auto parts = static_cast<std::size_t>((bits_ + kBitsOfDouble - 1) / kBitsOfDouble);
   result.midpoint.assign(n_, Complex(0));
-  result.finer.assign(parts, Point(n_));
+  std::vector<Point> finer(parts, Point(n_));
   for (std::size_t j = 0; j < n_; ++j) {
     ArbBall rest = m_[j];
     acb_zero(m_[j].get());
     for (std::size_t k = 0; k <= parts; ++k) {
       const Complex part(take_double(acb_realref(rest.get())),
                          take_double(acb_imagref(rest.get())));
-      (k == 0 ? result.midpoint[j] : result.finer[k - 1][j]) = part;
+      (k == 0 ? result.midpoint[j] : finer[k - 1][j]) = part;
       add_exactly(acb_realref(m_[j].get()), part.real());
       add_exactly(acb_imagref(m_[j].get()), part.imag());
     }
   }
-  while (!result.finer.empty() && result.finer.back() == Point(n_)) result.finer.pop_back();
+  while (!finer.empty() && finer.back() == Point(n_)) finer.pop_back();
+  result.finer.assign(finer.begin(), finer.end());
 }
 
 bool ArbStage::Work::find_radii(Certificate& result) {

@@ -23,7 +23,7 @@ std::uint16_t rounded_up(double x) {
 }  // namespace
 
 void BallSizes::assign(std::span<const double> radii, std::span<const double> errors) {
-  kept_.resize(2 * radii.size());
+  if (dimension() != radii.size()) kept_.resize(2 * radii.size());
   for (std::size_t j = 0; j < radii.size(); ++j) set(j, radii[j], errors[j]);
 }
 
@@ -47,6 +47,14 @@ double BallSizes::largest_error() const {
 bool BallSizes::are_apart() const {
   for (std::size_t j = 0; j < dimension(); ++j) {
     if (!(error(j) < radius(j))) return false;
+  }
+  return true;
+}
+
+bool operator==(const BallSizes& a, const BallSizes& b) {
+  if (a.dimension() != b.dimension()) return false;
+  for (std::size_t k = 0; k < a.kept_.size(); ++k) {
+    if (a.kept_[k] != b.kept_[k]) return false;
   }
   return true;
 }

@@ -106,7 +106,8 @@ class Certifier::Work {
     if (!certificate.holds_root()) throw InvalidInput("no root is proved to sharpen");
     Certificate finer;
     const double farthest = certificate.sizes.largest_radius();
-    if (arb().prove(certificate.midpoint, certificate.finer, given, bits, farthest, finer) !=
+    const std::vector<Point> beyond(certificate.finer.begin(), certificate.finer.end());
+    if (arb().prove(certificate.midpoint, beyond, given, bits, farthest, finer) !=
         ArbOutcome::proved) {
       return false;
     }

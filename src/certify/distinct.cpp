@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "moivre/numeric/random.h"
 #include "moivre/numeric/rational.h"
@@ -47,43 +48,54 @@ bool lies_within(const Certificate& a, const Certificate& b, const std::vector<R
 /// An interval that the projection of a root lies in.
 struct Shadow {
   double least, most;
-  std::size_t index;
 };
 
-/// Of all certificates that hold a root, in the order of their lower ends.
-std::vector<Shadow> shadows(std::span<const Certificate* const> certificates, std::uint64_t seed) {
-  std::vector<double> sizes;
-  for (const Certificate* c : certificates) {
-    if (!c->holds_root()) continue;
-    sizes.resize(c->midpoint.size());
+/// Projects on a random direction, in which every coordinate of the certificates counts alike.
+class Projection {
+ public:
+  Projection(std::span<const Certificate* const> certificates, std::uint64_t seed) {
+    std::vector<double> sizes;
+    for (const Certificate* c : certificates) {
+      if (!c->holds_root()) continue;
+      sizes.resize(c->midpoint.size());
+      for (std::size_t j = 0; j < sizes.size(); ++j) {
+        sizes[j] = std::max(sizes[j], modulus(c->midpoint[j]));
+      }
+    }
     for (std::size_t j = 0; j < sizes.size(); ++j) {
-      sizes[j] = std::max(sizes[j], modulus(c->midpoint[j]));
+      direction_.push_back(random_phase(seed, RandomStream::certify, j) /
+                           (sizes[j] > 0 ? sizes[j] : 1));
     }
   }
-  // Every coordinate counts alike.
-  std::vector<Complex> direction;
-  for (std::size_t j = 0; j < sizes.size(); ++j) {
-    direction.push_back(random_phase(seed, RandomStream::certify, j) /
-                        (sizes[j] > 0 ? sizes[j] : 1));
-  }
-  std::vector<Shadow> result;
-  for (std::size_t k = 0; k < certificates.size(); ++k) {
-    const Certificate& c = *certificates[k];
-    if (!c.holds_root()) continue;
+
+  Shadow of(const Certificate& c) const {
     // The share of each term covers its rounding, that of the sum, and the parts of the midpoint
     // beyond double.
-    const double share = 8 * kUnitRoundoff * static_cast<double>(sizes.size() + 8);
+    const double share = 8 * kUnitRoundoff * static_cast<double>(direction_.size() + 8);
     double middle = 0;
     double reach = 0;
-    for (std::size_t j = 0; j < sizes.size(); ++j) {
-      const double weight = size_bound(direction[j]);
-      middle += conjugate_product(direction[j], c.midpoint[j]).real();
+    for (std::size_t j = 0; j < direction_.size(); ++j) {
+      const double weight = size_bound(direction_[j]);
+      middle += conjugate_product(direction_[j], c.midpoint[j]).real();
       reach += raised(weight * (c.error(j) + share * size_bound(c.midpoint[j])));
     }
-    result.push_back({middle - reach, middle + reach, k});
+    return {middle - reach, middle + reach};
   }
-  std::sort(result.begin(), result.end(),
-            [](const Shadow& a, const Shadow& b) { return a.least < b.least; });
+
+ private:
+  std::vector<Complex> direction_;
+};
+
+/// Lower ends of shadows and places of their certificates, ascending; of those that hold a root.
+std::vector<std::pair<double, std::size_t>> lower_ends(
+    std::span<const Certificate* const> certificates, const Projection& projection) {
+  std::vector<std::pair<double, std::size_t>> result;
+  result.reserve(certificates.size());
+  for (std::size_t k = 0; k < certificates.size(); ++k) {
+    if (!certificates[k]->holds_root()) continue;
+    result.emplace_back(projection.of(*certificates[k]).least, k);
+  }
+  std::sort(result.begin(), result.end());
   return result;
 }
 
@@ -138,19 +150,21 @@ Distinctness compare(std::span<const Certificate* const> certificates, std::uint
   Distinctness result;
   result.first_of.resize(certificates.size());
   std::iota(result.first_of.begin(), result.first_of.end(), std::size_t{0});
-  std::vector<Shadow> active;
-  for (const Shadow& next : shadows(certificates, seed)) {
+  const Projection projection(certificates, seed);
+  // Few are active at a time: where they end is not kept of all.
+  std::vector<std::pair<double, std::size_t>> active;
+  for (const auto& [least, k] : lower_ends(certificates, projection)) {
     ++result.holding;
-    std::erase_if(active, [&](const Shadow& s) { return s.most < next.least; });
-    for (const Shadow& s : active) {
-      const IndexPair pair = std::minmax(s.index, next.index);
+    std::erase_if(active, [&](const auto& end) { return end.first < least; });
+    for (const auto& [most, other] : active) {
+      const IndexPair pair = std::minmax(other, k);
       const Relation found = relation(*certificates[pair.first], *certificates[pair.second]);
       if (found == Relation::doubtful) result.doubtful.push_back(pair);
       if (found != Relation::same) continue;
       result.same.push_back(pair);
       join(result.first_of, pair);
     }
-    active.push_back(next);
+    active.emplace_back(projection.of(*certificates[k]).most, k);
   }
   settle(certificates, result);
   return result;

@@ -197,6 +197,8 @@ void enter_solutions(Run& run, const PathGroups& groups, const std::vector<bool>
   const auto sets = std::count(on_sets.begin(), on_sets.end(), true);
   result.solutions.reserve(groups.size() - static_cast<std::size_t>(sets));
   OffTheHeap told;
+  // What comparing them took.
+  if (groups.size() > kRootsBetweenPages) give_back_pages();
   for (std::size_t k = 0; k < groups.size(); ++k) {
     const PathGroups::Group group = groups[k];
     result.paths.finite += group.size();
@@ -278,7 +280,7 @@ double radius_of_cluster(const Run& run, PathGroups::Group group, const Refined&
 /// What the certificate has of the point beyond double: nothing where a part of it, smaller than
 /// that, was taken for 0.
 std::vector<Point> beyond_double(const Certificate& proved, const Point& x) {
-  std::vector<Point> finer = proved.finer;
+  std::vector<Point> finer(proved.finer.begin(), proved.finer.end());
   for (std::size_t j = 0; j < x.size(); ++j) {
     const bool has_real = proved.midpoint[j].real() == x[j].real();
     const bool has_imaginary = proved.midpoint[j].imag() == x[j].imag();

@@ -147,6 +147,7 @@ std::uint64_t proved_roots(const Setting& setting,
 
 std::uint64_t proved_roots(const Run& run) {
   std::vector<const Certificate*> certificates;
+  certificates.reserve(run.table.roots().size());
   for (const auto& [path, root] : run.table.roots()) {
     if (root.certificate) certificates.push_back(root.certificate.get());
   }

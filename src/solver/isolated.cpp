@@ -26,7 +26,7 @@ Certificate certificate_of(const IsolatedRoot& root, const Place& place, int bit
   result.verdict = Verdict::certified;
   result.bits = bits;
   result.midpoint = place.x;
-  result.finer = place.finer;
+  result.finer.assign(place.finer.begin(), place.finer.end());
   result.sizes.assign({&root.radius, 1}, {&root.error, 1});
   if (!result.sizes.are_apart()) return {};
   const ProvedCoordinate coordinate{enclosure(result, 0), root.radius};

@@ -28,7 +28,7 @@ TEST(FalseRoots, OfAChangedCoefficientAreNotRootsOfTheSystem) {
   ASSERT_TRUE(other.sharpen(d, 128));
   // sqrt(2) + 2^-60 / (2 sqrt 2): 3.07e-19 apart, and both errors are far below.
   EXPECT_LT(c.error(0) + d.error(0), 1e-30);
-  EXPECT_NEAR(c.finer[0][0].real() - d.finer[0][0].real(), 3.0666e-19, 1e-22);
+  EXPECT_NEAR(c.finer.front()[0].real() - d.finer.front()[0].real(), 3.0666e-19, 1e-22);
 }
 
 }  // namespace

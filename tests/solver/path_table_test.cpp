@@ -83,6 +83,10 @@ TEST(PathTable, KeepsSixteenBytesOfAPathToInfinity) {
   EXPECT_TRUE(table.failures().empty());
 }
 
+TEST(PathTable, KeepsEightyBytesOfARootBesideItsPointAndItsProof) {
+  static_assert(sizeof(Root) <= 80);
+}
+
 TEST(PathTable, GroupsPathsThatEndAtOnePoint) {
   PathTable table;
   table.enter_root(7, root_at({1, 2}, 2));

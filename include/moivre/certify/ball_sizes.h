@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <vector>
+#include <valarray>
 
 namespace moivre {
 
@@ -35,12 +35,12 @@ class BallSizes {
   double largest_error() const;
   /// error < radius in every coordinate.
   bool are_apart() const;
-  friend bool operator==(const BallSizes&, const BallSizes&) = default;
+  friend bool operator==(const BallSizes& a, const BallSizes& b);
 
  private:
   static double number(std::uint16_t kept);
 
-  std::vector<std::uint16_t> kept_;  ///< radius and error of each coordinate
+  std::valarray<std::uint16_t> kept_;  ///< radius and error of each coordinate
 };
 
 }  // namespace moivre

@@ -17,6 +17,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <forward_list>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,13 +28,13 @@
 
 namespace moivre {
 
-enum class Verdict {
+enum class Verdict : std::uint8_t {
   certified,  ///< exactly one root in B, and not farther from the given point than was asked for
   elsewhere,  ///< exactly one root in B, but Newton's method went farther from the given point for it
   undecided  ///< nothing was proved; every other field says nothing
 };
 
-enum class Reality {
+enum class Reality : std::uint8_t {
   unknown,  ///< not proved; also: the point and its conjugate cannot be compared, F is not real
   real,     ///< every coordinate of the root is real
   not_real  ///< some coordinate of the root has an imaginary part that is not 0
@@ -45,12 +47,13 @@ struct Enclosure {
   double error = 0;
 };
 
+/// A run may have a million: no byte that few of them need.
 struct Certificate {
   Verdict verdict = Verdict::undecided;
   Reality reality = Reality::unknown;
   int bits = 0;  ///< of the arithmetic that proved it: 53 is double
   Point midpoint;
-  std::vector<Point> finer;  ///< what the midpoint has beyond double, largest first
+  std::forward_list<Point> finer;  ///< what the midpoint has beyond double, largest first
   BallSizes sizes;
 
   double radius(std::size_t j) const { return sizes.radius(j); }
