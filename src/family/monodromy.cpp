@@ -115,7 +115,12 @@ std::string standing_of(const Learning& learning, const TraceTest& test, const S
   if (search.components > 1) return elsewhere + "; there may be more";
   const std::string loops = std::to_string(search.count.loops) + " loops";
   if (was_stopped) return "interrupted after " + loops + ": there may be more roots";
-  if (!test.was_made) return loops + ", the last ones without a new root; no trace test";
+  if (!test.was_made) {
+    const std::string why = test.lost == 0 ? "no trace test"
+                                           : "no trace test, since " + counted(test.lost, "point") +
+                                                 " of the curve could not be followed";
+    return loops + ", the last ones without a new root; " + why;
+  }
   const std::string points = counted(test.points, "point") + " of the curve";
   return test.holds ? "shown: the trace test holds (" + points +
                           "), and no root of another component was met by chance"
