@@ -155,7 +155,7 @@ Distinctness compare(std::span<const Certificate* const> certificates, std::uint
   std::vector<std::pair<double, std::size_t>> active;
   for (const auto& [least, k] : lower_ends(certificates, projection)) {
     ++result.holding;
-    std::erase_if(active, [&](const auto& end) { return end.first < least; });
+    std::erase_if(active, [least = least](const auto& end) { return end.first < least; });
     for (const auto& [most, other] : active) {
       const IndexPair pair = std::minmax(other, k);
       const Relation found = relation(*certificates[pair.first], *certificates[pair.second]);

@@ -144,7 +144,7 @@ class Grouping {
   void note_rounding() {
     const auto is_exact = [&](std::size_t k) {
       const Joint& joint = mechanism_.joints[k];
-      const std::size_t axes = axis_count(joint.type);
+      const int axes = axis_count(joint.type);
       const bool is_turned = axes > 0 && joint.turn_rad != 0;
       return !is_turned && driven_joint(mechanism_, k, t_).angle.value_or(0) == 0 &&
              std::all_of(joint.axis.begin(), joint.axis.begin() + (axes > 0 ? 2 : 0),
