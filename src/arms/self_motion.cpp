@@ -570,6 +570,9 @@ std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose
     auto begin = one_way(arm, pose, from);
     if (!begin) return traced_at(1, accuracy);
     if (!may_reach(arm, pose, *begin, accuracy)) return std::nullopt;
+    // Within a coarse accuracy other directions may stand for a probe, too.
+    const double moves_others = kMayStand * begin->place.at.screws.norm() * kProbe;
+    if (accuracy > moves_others) return traced_at(1, accuracy);
     return trace_at_size(arm, pose, std::move(begin), accuracy, 1, told);
   }
   // The exact set may be small, as beside a stretched elbow. Where k closures meet the tip is
