@@ -46,7 +46,12 @@ double bend(const Matrix6& screws, const Matrix6& inverse) {
   return 2 * std::sqrt(squares);
 }
 
-/// What Kantorovich's theorem asks, with a margin, of a last step so long.
+/// What Kantorovich's theorem asks, with a margin, of a last step so long: by a bound of second
+/// derivatives and of J^-1,
+bool clearly_contracts(double step, double stiffness, double screws_square) {
+  return step * kNeighbourhood * screws_square <= kContracts * stiffness;
+}
+/// or by what they are.
 bool contracts(double step, const Matrix6& screws, const Matrix6& inverse) {
   return step * kNeighbourhood / 2 * bend(screws, inverse) <= kContracts;
 }
@@ -64,9 +69,10 @@ bool settle(const Arm& arm, const Placement<Complex>& pose, ConjugatePair& pair)
     pair.stiffness = 1 / inverse.norm();
     pair.values += step;
     if (!((pair.values - start).norm() <= kMovedByMeaning)) return false;
-    const double K = kNeighbourhood * screws.squaredNorm();
-    const bool is_clear = pair.accuracy * K <= kContracts * pair.stiffness;
-    if (pair.accuracy <= kSettled && (is_clear || contracts(pair.accuracy, screws, inverse))) {
+    const double step_size = pair.accuracy;
+    if (step_size <= kSettled &&
+        (clearly_contracts(step_size, pair.stiffness, screws.squaredNorm()) ||
+         contracts(step_size, screws, inverse))) {
       pair.imaginary = pair.values.imag().cwiseAbs().maxCoeff();
       return pair.imaginary > kDifferent;
     }
@@ -79,9 +85,8 @@ std::optional<Polished> settled(const Arm& arm, const Eigen::Isometry3d& pose,
   Polished polished = polish(arm, pose, start);
   if (!((polished.values - start).norm() <= kMovedByMeaning)) return std::nullopt;
   const double sigma = polished.smallest_singular_value;
-  const double K = kNeighbourhood * polished.screws_square;
   const double miss = polished.residual + kRounding;
-  if (miss * K <= kContracts * sigma * sigma) return polished;
+  if (clearly_contracts(miss / sigma, sigma, polished.screws_square)) return polished;
   const Matrix6 screws = linearized(arm, pose, polished.values).screws.cast<Complex>();
   const Matrix6 inverse = screws.partialPivLu().inverse();
   if (!contracts(miss * inverse.norm(), screws, inverse)) return std::nullopt;

@@ -7,6 +7,10 @@
 // poses N times, and a fibre of it has as many connected pieces at the most, since poses are smooth
 // (Zariski's main theorem). So the proposals answer where Newton's method on the arm as typed leads
 // from them to N closures that are simple and different. Which formula it was does not matter.
+// N is the arm's own where the formula's geometry is the arm's as typed (are_all). Where it is what
+// the file's digits stand for, the arm may have closures that no regular pose's equations count:
+// a Panda typed to four digits, joint 6 held, has ten at a straight shoulder, and N = 8. Those
+// stand on sets that the digits leave open, and are sought there.
 // Simple is what Kantorovich's theorem says is so:
 //   |step| |J^-1| K <= 1/2,  K >= |second derivatives|: 2 |screws|^2 bounds them, brackets of two
 //                            screws each

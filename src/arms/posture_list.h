@@ -66,10 +66,11 @@ PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far)
 /// Where Newton's method led to already.
 PostureEntry enter(PostureList& list, const Polished& polished);
 
-/// Sets through closures where more directions are open, within the digits or a finer accuracy,
-/// than the told sets go along. Where sets cross all are followed; and what the digits leave open
-/// lets places drift aside from a set that is open within much less, and hides it in a region.
-/// Before these, exact curves that come near to those that are told.
+/// Sets through closures where more directions are open within the digits than the told sets go
+/// along; within finer accuracies, too, where sets may cross. Where sets cross all are followed;
+/// and what the digits leave open lets places drift aside from a set that is open within much
+/// less, and hides it in a region. Before these, exact curves that come near to those that are
+/// told.
 void follow_branches(PostureList& list);
 
 /// Where a start leads to a place at which sets may cross, the tip moves so little along two
