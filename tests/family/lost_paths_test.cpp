@@ -68,7 +68,7 @@ TEST(LostPaths, AreFollowedOnAnotherWay) {
   ASSERT_EQ(family.roots.size(), 4U);
   const int lists = lists_of(family);
   for (int faulty = 0; faulty < lists; ++faulty) {
-    for (const std::uint64_t victim : {0, 3}) {
+    for (const std::uint64_t victim : {std::uint64_t{0}, std::uint64_t{3}}) {
       const FaultyTracker tracker(
           [&](int list, std::uint64_t path) { return list == faulty && path == victim; });
       const TraceTest test = trace_test(family, tracker);
