@@ -3,6 +3,7 @@
 #include "moivre/family/learn.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "moivre/expression/counted.h"
@@ -13,6 +14,12 @@
 
 namespace moivre {
 namespace {
+
+// Of the real and the imaginary part of a generic parameter: exact algebra on a generic member costs
+// as its numbers have digits, and 2^40 points are enough (decision 104).
+constexpr int kBitsOfMember = 20;
+
+double rounded(double value, double quantum) { return std::round(value / quantum) * quantum; }
 
 std::vector<std::string> broken_rules(const System& system,
                                       const std::vector<NamedParameter>& parameters) {
@@ -165,7 +172,10 @@ Point generic_member(const Family& family, std::uint64_t seed) {
   Point p;
   for (std::size_t j = 0; j < family.parameters(); ++j) {
     const double radius = 0.5 + random_unit(seed, RandomStream::family, 2 * j);
-    p.push_back(family.sizes[j] * radius * random_phase(seed, RandomStream::family, 2 * j + 1));
+    const double quantum = std::ldexp(1, std::ilogb(family.sizes[j]) - kBitsOfMember);
+    const Complex pj =
+        family.sizes[j] * radius * random_phase(seed, RandomStream::family, 2 * j + 1);
+    p.emplace_back(rounded(pj.real(), quantum), rounded(pj.imag(), quantum));
   }
   return p;
 }

@@ -3,6 +3,9 @@
 // too.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <set>
+
 #include "families.h"
 #include "moivre/family/members.h"
 #include "moivre/polynomial/digits.h"
@@ -45,6 +48,23 @@ TEST(Learn, KeepsHowItsEquationsWereBroughtIntoTheRangeOfDouble) {
   const SolveResult result = solve(member, *make_lane_tracker(), with_seed(1));
   EXPECT_TRUE(result.complete);
   EXPECT_EQ(result.solutions.size(), 3U);
+}
+
+TEST(Learn, DrawsAMemberWhoseNumbersAreShort) {
+  const Family family =
+      unlearned_family(read_system({"test", "1 3\na*x + b*x^2 - 1;\n"}), {{"b"}, {"a", 100}});
+  std::set<std::pair<double, double>> drawn;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    const Point p = generic_member(family, seed);
+    for (std::size_t j = 0; j < 2; ++j) {
+      EXPECT_GE(std::abs(p[j]), 0.49 * family.sizes[j]);
+      EXPECT_LE(std::abs(p[j]), 1.51 * family.sizes[j]);
+      const Complex whole = std::ldexp(1, 20 - std::ilogb(family.sizes[j])) * p[j];
+      EXPECT_EQ(whole, Complex(std::round(whole.real()), std::round(whole.imag())));
+    }
+    drawn.insert({p[0].real(), p[1].imag()});
+  }
+  EXPECT_EQ(drawn.size(), 100U);
 }
 
 TEST(Learn, NamesEveryFaultOfTheParameters) {

@@ -49,7 +49,7 @@ struct NamedParameter {
 /// yet.
 Family unlearned_family(const System& system, const std::vector<NamedParameter>& parameters);
 
-/// p* of a seed.
+/// p* of a seed, of 20 bits beside the parameters' sizes.
 Point generic_member(const Family& family, std::uint64_t seed);
 
 /// The family with its roots. options: of the solve.
