@@ -31,7 +31,7 @@ JointVector<double> not_too_long(JointVector<double> step) {
 
 /// Newton's own step, where the screws are six and clearly independent.
 std::optional<JointVector<double>> plain_step(const Linearized& at) {
-  constexpr double kIndependent = 1e-6;
+  constexpr double kIndependent = 1e-9;
   if (at.screws.cols() != 6) return std::nullopt;
   const SixSolved solved = solve_six(at.screws, at.error);
   if (!(solved.least > kIndependent * solved.largest)) return std::nullopt;
@@ -40,7 +40,7 @@ std::optional<JointVector<double>> plain_step(const Linearized& at) {
 
 /// Least squares by the normal equations, where squares leave enough digits for a step.
 std::optional<JointVector<double>> normal_step(const Linearized& at, double damping) {
-  constexpr double kIndependent = 1e-8;
+  constexpr double kIndependent = 1e-12;
   using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostJoints, kMostJoints>;
   if (at.screws.cols() == 6) {
     const Matrix6d screws = at.screws;

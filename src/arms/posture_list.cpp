@@ -217,12 +217,22 @@ std::optional<std::size_t> add_open(PostureList& list, TracedSet&& traced) {
   return std::nullopt;
 }
 
+SetSought sought(const PostureList& list, double accuracy) {
+  return {accuracy, list.seed, !list.has_all_closures};
+}
+
+/// The set through a place that is open within the accuracy.
+std::optional<TracedSet> set_through(const PostureList& list, const Eigen::VectorXd& from,
+                                     double accuracy) {
+  return trace_set(list.arm, list.pose, from, sought(list, accuracy), list.moves);
+}
+
 /// As rounding tells; of a piece that ends, the set that it is a piece of, where that holds the
 /// pose within its accuracy.
 std::optional<TracedSet> trace_exactly(const PostureList& list, const Eigen::VectorXd& from) {
-  auto traced = trace_set(list.arm, list.pose, from, kRounding, list.seed);
+  auto traced = trace_set(list.arm, list.pose, from, sought(list, kRounding));
   if (!traced || !has_ends(traced->motion)) return traced;
-  auto whole = trace_set(list.arm, list.pose, from, list.accuracy, list.seed);
+  auto whole = trace_set(list.arm, list.pose, from, sought(list, list.accuracy));
   return whole && !has_ends(whole->motion) ? whole : traced;
 }
 
@@ -240,7 +250,7 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
     if (!list.follows_digits || sigma > accuracy / kReachesFar) continue;
     if (set_of(list, closure.values, is_any)) return std::nullopt;
     list.followed.push_back({closure.values, accuracy});
-    auto traced = trace_set(list.arm, list.pose, closure.values, accuracy, list.seed, list.moves);
+    auto traced = set_through(list, closure.values, accuracy);
     if (!traced) continue;
     return add_open(list, std::move(*traced));
   }
@@ -254,7 +264,7 @@ void follow_digits(PostureList& list, const Polished& place) {
   for (const double accuracy : left_open(list)) {
     if (!list.follows_digits || place.residual > accuracy) continue;
     if (set_of(list, place.values, is_any)) return;
-    auto traced = trace_set(list.arm, list.pose, place.values, accuracy, list.seed, list.moves);
+    auto traced = set_through(list, place.values, accuracy);
     if (!traced || set_of(list, traced->motion.values, is_any)) continue;
     add_open(list, std::move(*traced));
     return;
@@ -289,14 +299,14 @@ int dimension_told(const PostureList& list, const Eigen::VectorXd& values, doubl
 std::vector<TracedSet> sets_through(const PostureList& list, const Eigen::VectorXd& values,
                                     int weak, double accuracy) {
   if (weak > 1)
-    return trace_branches(list.arm, list.pose, values, weak, accuracy, list.seed, list.moves);
+    return trace_branches(list.arm, list.pose, values, weak, sought(list, accuracy), list.moves);
   std::vector<TracedSet> sets;
   const bool is_known =
       std::any_of(list.followed.begin(), list.followed.end(), [&](const FollowedFrom& followed) {
         return followed.accuracy == accuracy && followed.values == values;
       });
   if (is_known) return sets;
-  auto traced = trace_set(list.arm, list.pose, values, accuracy, list.seed, list.moves);
+  auto traced = set_through(list, values, accuracy);
   if (traced) sets.push_back(std::move(*traced));
   return sets;
 }
@@ -314,7 +324,7 @@ void follow_pieces(PostureList& list, double accuracy) {
                  is_on(list.arm, told, middle, kBesideSet);
         });
     if (is_told) continue;
-    auto whole = trace_set(list.arm, list.pose, middle, accuracy, list.seed, list.moves);
+    auto whole = set_through(list, middle, accuracy);
     if (whole && whole->motion.closes) add_open(list, std::move(*whole));
   }
 }

@@ -85,7 +85,7 @@ PreparedArm prepare(const Arm& arm, const Tracker& tracker, const SolveOptions& 
   if (prepared.is_always_moving) {
     const Eigen::VectorXd any = random_joint_values(arm, options.seed, kBehindOthers);
     const auto set = trace_set(arm, forward_kinematics(arm, any), any,
-                               std::max(kReach, kDigits * arm.rounding), options.seed);
+                               {std::max(kReach, kDigits * arm.rounding), options.seed});
     if (!set || set->motion.relations.empty()) tries = kCurvedTries;
   }
   for (std::uint64_t k = 0; k < tries && !stop; ++k) {

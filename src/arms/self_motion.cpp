@@ -68,6 +68,11 @@ MatrixXd still_directions(const Svd& stretch) {
   return stretch.V.rightCols(still);
 }
 
+/// Whether more directions than one move the tip so little.
+bool may_stand_along_more(const Screws<double>& screws) {
+  return still_count(screws, kMayStand * screws.norm()) > 1;
+}
+
 struct Still {
   MatrixXd directions;
   VectorXd sigma;  ///< of one direction alone the last two
@@ -79,7 +84,7 @@ std::optional<Still> one_still(const Screws<double>& screws) {
   if (screws.cols() != kJoints) return std::nullopt;
   // The largest singular value, but for a factor.
   const double most = screws.norm(), least = most / std::sqrt(double(kJoints));
-  if (still_count(screws, kMayStand * most) > 1) return std::nullopt;
+  if (may_stand_along_more(screws)) return std::nullopt;
   const LeastMotion motion = least_motion(screws);
   const bool is_still = motion.singular_value <= kMayStand * least;
   if (!is_still && motion.singular_value <= kMayStand * most) return std::nullopt;
@@ -106,14 +111,13 @@ struct Around {
 };
 Around around(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& place, double accuracy,
               std::uint64_t seed, std::uint64_t stream, double probe) {
-  constexpr std::uint64_t kSteps = 8;
   const auto [least, sigma] = still_at(place);
   const Index still = least.cols();
   Around result;
   result.sigma = sigma;
   if (still == 0) return result;
   std::vector<VectorXd> differences;
-  const std::uint64_t steps = still == 1 ? 2 : kSteps;  // a single direction has two sides
+  const std::uint64_t steps = std::uint64_t{1} << still;  // a single direction has two sides
   for (std::uint64_t k = 0; k < steps; ++k) {
     const VectorXd direction = still == 1
                                    ? VectorXd((k == 0 ? 1 : -1) * least)
@@ -145,24 +149,31 @@ struct Way {
   bool is_whole = true;  ///< not cut off after `most` steps
 };
 
+struct StepLengths {
+  double usual = kStep;
+  double straight = kStep;  ///< where the set is straight, and no other one may cross it
+};
+
 /// From `from` on along `direction`, to the end of the set or back to its beginning. Where it has
-/// gone far, steps are longer than `longest`: a small loop would have come back.
+/// gone far, steps are longer than usual: a small loop would have come back.
 /// Beyond a place that misses the pose only the longest step is tried: the set may be open there
 /// again. Shorter ones look for its end on this side.
 Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, VectorXd direction,
-           int most, double accuracy, double longest) {
+           int most, double accuracy, const StepLengths& lengths) {
   const int halvings = accuracy > kReach ? 3 : 4;  // an end within an accuracy is no point
   /// Samples follow a curve: the cosine between one step and the next.
   constexpr double kStraight = 0.995;
   constexpr double kSameWay = 0.5;
   constexpr double kOfTheWay = 0.1;
   constexpr double kClearlyBefore = 0.9;
+  constexpr double kVeryStraight = 0.9998;
   Way way;
   SetPlace here = from;
   VectorXd first;
   VectorXd bend = VectorXd::Zero(direction.size());  // by which chords turn, for the way gone
   double last = 0;                                   // the last step's length
   double farthest = 0;
+  double longest = lengths.usual;                            // of the next step
   double to_miss = std::numeric_limits<double>::infinity();  // the nearest one ahead
   for (int k = 0; k < most; ++k) {
     std::optional<SetPlace> next;
@@ -184,6 +195,11 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
     if (!next) return way;
     const double went = apart(arm, here.values, next->values);
     if (k > 0) bend = (gone - direction) / ((last + went) / 2);
+    if (lengths.straight > lengths.usual) {
+      const bool is_straight =
+          k > 0 && gone.dot(direction) > kVeryStraight && !may_stand_along_more(next->at.screws);
+      longest = is_straight ? std::min(2 * longest, lengths.straight) : lengths.usual;
+    }
     direction = gone;
     last = went;
     to_miss = went < to_miss ? to_miss - went : std::numeric_limits<double>::infinity();
@@ -325,13 +341,13 @@ std::optional<SetBegin> set_begin(const Arm& arm, const Eigen::Isometry3d& pose,
 
 /// Its places, in order.
 std::vector<SetPlace> trace_curve(const Arm& arm, const Eigen::Isometry3d& pose,
-                                  const SetBegin& begin, double accuracy, double step,
-                                  TracedSet& traced) {
+                                  const SetBegin& begin, double accuracy,
+                                  const StepLengths& lengths, TracedSet& traced) {
   const VectorXd direction = begin.ways.col(0);
-  Way forth = follow(arm, pose, begin.place, direction, kMostSteps, accuracy, step);
+  Way forth = follow(arm, pose, begin.place, direction, kMostSteps, accuracy, lengths);
   Way back;
   if (!forth.closes) {
-    back = follow(arm, pose, begin.place, -direction, kMostSteps, accuracy, step);
+    back = follow(arm, pose, begin.place, -direction, kMostSteps, accuracy, lengths);
   }
   std::vector<SetPlace> places(back.places.rbegin(), back.places.rend());
   places.push_back(begin.place);
@@ -480,7 +496,7 @@ std::optional<SetBegin> one_way(const Arm& arm, const Eigen::Isometry3d& pose,
   if (from.size() > kSix) return std::nullopt;
   SetPlace place = place_at(arm, pose, from);
   const Screws<double>& screws = place.at.screws;
-  if (still_count(screws, kMayStand * screws.norm()) > 1) return std::nullopt;
+  if (may_stand_along_more(screws)) return std::nullopt;
   const VectorXd way = least_motion(screws).joints;
   return SetBegin{std::move(place), way};
 }
@@ -502,8 +518,10 @@ bool may_reach(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& be
 
 /// `size`: of probes and steps, beside the usual ones.
 std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& pose,
-                                       std::optional<SetBegin> begin, double accuracy, double size,
-                                       const std::vector<SelfMotion>& told) {
+                                       std::optional<SetBegin> begin, const SetSought& sought,
+                                       double size, const std::vector<SelfMotion>& told) {
+  constexpr double kLonger = 4;
+  const double accuracy = sought.accuracy;
   const double probe = size * kProbe, step = size * kStep;
   if (!begin) return std::nullopt;
   if (begin->ways.cols() > 1 && accuracy > kReach) {
@@ -525,7 +543,9 @@ std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& 
   motion.misfit = begin->place.residual;
   traced.accuracy = accuracy;
   if (motion.dimension == 1) {
-    traced.curve = trace_curve(arm, pose, *begin, accuracy, step, traced);
+    const bool may_be_longer = accuracy > kReach && !sought.for_closures;
+    const StepLengths lengths{step, may_be_longer ? kLonger * step : step};
+    traced.curve = trace_curve(arm, pose, *begin, accuracy, lengths, traced);
   } else {
     trace_surface(*cover, traced);
   }
@@ -560,11 +580,12 @@ bool has_ends(const SelfMotion& set) {
 }
 
 std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose,
-                                   const VectorXd& from, double accuracy, std::uint64_t seed,
+                                   const VectorXd& from, const SetSought& sought,
                                    const std::vector<SelfMotion>& told) {
+  const double accuracy = sought.accuracy;
   const auto traced_at = [&](double size, double open) {
-    return trace_at_size(arm, pose, set_begin(arm, pose, from, open, size * kProbe, seed), open,
-                         size, told);
+    return trace_at_size(arm, pose, set_begin(arm, pose, from, open, size * kProbe, sought.seed),
+                         {open, sought.seed, sought.for_closures}, size, told);
   };
   if (accuracy > kReach) {
     auto begin = one_way(arm, pose, from);
@@ -573,7 +594,7 @@ std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose
     // Within a coarse accuracy other directions may stand for a probe, too.
     const double moves_others = kMayStand * begin->place.at.screws.norm() * kProbe;
     if (accuracy > moves_others) return traced_at(1, accuracy);
-    return trace_at_size(arm, pose, std::move(begin), accuracy, 1, told);
+    return trace_at_size(arm, pose, std::move(begin), sought, 1, told);
   }
   // The exact set may be small, as beside a stretched elbow. Where k closures meet the tip is
   // missed by the k-th power of the way: so near it must not be missed by as much.
@@ -598,16 +619,16 @@ std::vector<VectorXd> closures_near(const Arm& arm, const Eigen::Isometry3d& pos
 }
 
 std::vector<TracedSet> trace_branches(const Arm& arm, const Eigen::Isometry3d& pose,
-                                      const VectorXd& crossing, int weak, double accuracy,
-                                      std::uint64_t seed, const std::vector<SelfMotion>& told) {
+                                      const VectorXd& crossing, int weak, const SetSought& sought,
+                                      const std::vector<SelfMotion>& told) {
   constexpr int kSteps = 8;
   const SetPlace place = place_at(arm, pose, crossing);
   const MatrixXd directions = stretch_of(place).V.rightCols(weak);
   std::vector<TracedSet> branches;
   for (std::uint64_t way = 0; way < kWays; ++way) {
     const VectorXd direction =
-        random_unit_vector(directions, seed, kThirdStream + way * kMostJoints);
-    const Way gone = follow(arm, pose, place, direction, kSteps, accuracy, kStep);
+        random_unit_vector(directions, sought.seed, kThirdStream + way * kMostJoints);
+    const Way gone = follow(arm, pose, place, direction, kSteps, sought.accuracy, {});
     if (gone.places.empty()) continue;
     const VectorXd& there = gone.places.back().values;
     if (apart(arm, there, crossing) < kShortestCurve * kProbe) continue;
@@ -616,7 +637,7 @@ std::vector<TracedSet> trace_branches(const Arm& arm, const Eigen::Isometry3d& p
           return is_on(arm, branch.motion, there, kNearProbe * kProbe);
         });
     if (is_known) continue;
-    if (auto branch = trace_set(arm, pose, there, accuracy, seed, told)) {
+    if (auto branch = trace_set(arm, pose, there, sought, told)) {
       branches.push_back(std::move(*branch));
     }
   }

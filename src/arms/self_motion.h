@@ -5,9 +5,10 @@
 // At a posture the screws' smallest singular values tell candidates: joint velocities that move the
 // tip least. Random steps along them, put right by Newton's method, come back to the set if there
 // is one; it has as many dimensions as these places span.
-// A set of dimension 1 is followed in steps of kStep to both sides until it closes or ends. A
-// larger one is covered: from each place to all sides, on to where none is yet, so that no posture
-// of it is far from a sample.
+// A set of dimension 1 is followed in steps of kStep to both sides until it closes or ends, in
+// longer ones where it is straight and no closures are sought between its places. A larger one is
+// covered: from each place to all sides, on to where none is yet, so that no posture of it is far
+// from a sample.
 // An exact set may be small: steps are then a tenth or a hundredth of that.
 //   relations: r . q = constant on the whole set, for its joints that move, where it is a piece of
 //   a plane in joint space
@@ -39,10 +40,15 @@ bool has_ends(const SelfMotion& set);
 /// no farther than this from that, radians and arm's lengths.
 inline constexpr double kAsClear = 3, kBesideSet = 0.03;
 
-/// nullopt where the posture stands alone, or on a surface that is told and as clear. `accuracy`:
-/// radians, and lengths beside the arm's.
+struct SetSought {
+  double accuracy = 0;  ///< radians, and lengths beside the arm's
+  std::uint64_t seed = 0;
+  bool for_closures = true;  ///< closures_near() is asked of it
+};
+
+/// nullopt where the posture stands alone, or on a surface that is told and as clear.
 std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose,
-                                   const Eigen::VectorXd& from, double accuracy, std::uint64_t seed,
+                                   const Eigen::VectorXd& from, const SetSought& sought,
                                    const std::vector<SelfMotion>& told = {});
 
 /// Where Newton's method is begun for the closures that are on a set that is there within an
@@ -54,7 +60,7 @@ std::vector<Eigen::VectorXd> closures_near(const Arm& arm, const Eigen::Isometry
 /// directions and more: the sets that go on along some of them, from a place that is clearly on
 /// one.
 std::vector<TracedSet> trace_branches(const Arm& arm, const Eigen::Isometry3d& pose,
-                                      const Eigen::VectorXd& crossing, int weak, double accuracy,
-                                      std::uint64_t seed, const std::vector<SelfMotion>& told);
+                                      const Eigen::VectorXd& crossing, int weak,
+                                      const SetSought& sought, const std::vector<SelfMotion>& told);
 
 }  // namespace moivre
