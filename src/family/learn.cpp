@@ -15,8 +15,8 @@
 namespace moivre {
 namespace {
 
-// Of the real and the imaginary part of a generic parameter: exact algebra on a generic member costs
-// as its numbers have digits, and 2^40 points are enough (decision 104).
+// Of the parts of a generic parameter: exact algebra on a generic member costs as its numbers have
+// digits, and 2^40 points are enough (decision 104).
 constexpr int kBitsOfMember = 20;
 
 double rounded(double value, double quantum) { return std::round(value / quantum) * quantum; }
