@@ -111,13 +111,14 @@ struct Around {
 };
 Around around(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& place, double accuracy,
               std::uint64_t seed, std::uint64_t stream, double probe) {
+  constexpr std::uint64_t kSteps = 8;
   const auto [least, sigma] = still_at(place);
   const Index still = least.cols();
   Around result;
   result.sigma = sigma;
   if (still == 0) return result;
   std::vector<VectorXd> differences;
-  const std::uint64_t steps = std::uint64_t{1} << still;  // a single direction has two sides
+  const std::uint64_t steps = still == 1 ? 2 : kSteps;  // a single direction has two sides
   for (std::uint64_t k = 0; k < steps; ++k) {
     const VectorXd direction = still == 1
                                    ? VectorXd((k == 0 ? 1 : -1) * least)
