@@ -84,7 +84,7 @@ std::vector<Miss> told_apart(const std::vector<Miss>& all) {
 }  // namespace
 
 std::vector<Eigen::VectorXd> near_closures(const Arm& arm, const Eigen::Isometry3d& pose,
-                                           const std::vector<SetPlace>& places, double accuracy) {
+                                           const SetPlaces& places, double accuracy) {
   std::vector<Eigen::VectorXd> closures;
   std::vector<Miss> miss;
   miss.reserve(places.size());

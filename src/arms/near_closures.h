@@ -19,6 +19,6 @@ namespace moivre {
 /// Places near closures. places: samples of a curve, in order; of one that closes with the first
 /// two again at the end.
 std::vector<Eigen::VectorXd> near_closures(const Arm& arm, const Eigen::Isometry3d& pose,
-                                           const std::vector<SetPlace>& places, double accuracy);
+                                           const SetPlaces& places, double accuracy);
 
 }  // namespace moivre

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "least_motion.h"
@@ -145,7 +146,7 @@ Around around(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& pla
 }
 
 struct Way {
-  std::vector<SetPlace> places;
+  SetPlaces places;
   bool closes = false;
   bool is_whole = true;  ///< not cut off after `most` steps
 };
@@ -159,8 +160,8 @@ struct StepLengths {
 /// gone far, steps are longer than usual: a small loop would have come back.
 /// Beyond a place that misses the pose only the longest step is tried: the set may be open there
 /// again. Shorter ones look for its end on this side.
-Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, VectorXd direction,
-           int most, double accuracy, const StepLengths& lengths) {
+Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from,
+           JointVector<double> direction, int most, double accuracy, const StepLengths& lengths) {
   const int halvings = accuracy > kReach ? 3 : 4;  // an end within an accuracy is no point
   /// Samples follow a curve: the cosine between one step and the next.
   constexpr double kStraight = 0.995;
@@ -169,21 +170,22 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
   constexpr double kClearlyBefore = 0.9;
   constexpr double kVeryStraight = 0.9998;
   Way way;
-  SetPlace here = from;
-  VectorXd first;
-  VectorXd bend = VectorXd::Zero(direction.size());  // by which chords turn, for the way gone
-  double last = 0;                                   // the last step's length
+  JointVector<double> first;
+  /// By which chords turn, for the way gone.
+  JointVector<double> bend = JointVector<double>::Zero(direction.size());
+  double last = 0;  // the last step's length
   double farthest = 0;
   double longest = lengths.usual;                            // of the next step
   double to_miss = std::numeric_limits<double>::infinity();  // the nearest one ahead
   for (int k = 0; k < most; ++k) {
+    const SetPlace& here = way.places.empty() ? from : way.places.back();
     std::optional<SetPlace> next;
     longest = std::max(longest, std::min(kStep, kOfTheWay * farthest));
     double step = longest;
-    VectorXd gone;
+    JointVector<double> gone;
     for (int h = 0; h <= halvings; ++h, step /= 2) {
       if (h > 0 && step > kClearlyBefore * to_miss) continue;
-      const VectorXd chord = (direction + (last + step) / 2 * bend).normalized();
+      const JointVector<double> chord = (direction + (last + step) / 2 * bend).normalized();
       next = moved(arm, pose, here, chord, step, accuracy);
       if (!next) {
         to_miss = std::min(to_miss, step);
@@ -196,25 +198,24 @@ Way follow(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from, 
     if (!next) return way;
     const double went = apart(arm, here.values, next->values);
     if (k > 0) bend = (gone - direction) / ((last + went) / 2);
-    if (lengths.straight > lengths.usual) {
-      const bool is_straight =
-          k > 0 && gone.dot(direction) > kVeryStraight && !may_stand_along_more(next->at.screws);
-      longest = is_straight ? std::min(2 * longest, lengths.straight) : lengths.usual;
-    }
+    const bool is_straight = k > 0 && gone.dot(direction) > kVeryStraight;
     direction = gone;
     last = went;
     to_miss = went < to_miss ? to_miss - went : std::numeric_limits<double>::infinity();
-    here = std::move(*next);
-    way.places.push_back(here);
+    const double away = apart(arm, next->values, from.values);
+    way.places.push_back(std::move(*next));
     // A narrow loop passes its beginning in the other direction.
     if (k == 0) first = direction;
-    const double away = apart(arm, here.values, from.values);
     farthest = std::max(farthest, away);
     const bool is_back =
         farthest > 2 * longest && away < longest && direction.dot(first) > kSameWay;
     if (is_back) {
       way.closes = true;
       return way;
+    }
+    if (lengths.straight > lengths.usual) {
+      const bool may_grow = is_straight && !may_stand_along_more(way.places.back().at.screws);
+      longest = may_grow ? std::min(2 * longest, lengths.straight) : lengths.usual;
     }
   }
   way.is_whole = false;
@@ -298,7 +299,7 @@ SetPlace again_after(const Arm& arm, const SetPlace& last, SetPlace place) {
   return place;
 }
 
-void take(const std::vector<SetPlace>& places, std::vector<VectorXd>& samples, double& misfit) {
+void take(const SetPlaces& places, std::vector<VectorXd>& samples, double& misfit) {
   for (const SetPlace& place : places) {
     samples.push_back(place.values);
     misfit = std::max(misfit, place.residual);
@@ -341,18 +342,17 @@ std::optional<SetBegin> set_begin(const Arm& arm, const Eigen::Isometry3d& pose,
 }
 
 /// Its places, in order.
-std::vector<SetPlace> trace_curve(const Arm& arm, const Eigen::Isometry3d& pose,
-                                  const SetBegin& begin, double accuracy,
-                                  const StepLengths& lengths, TracedSet& traced) {
+SetPlaces trace_curve(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
+                      double accuracy, const StepLengths& lengths, TracedSet& traced) {
   const VectorXd direction = begin.ways.col(0);
   Way forth = follow(arm, pose, begin.place, direction, kMostSteps, accuracy, lengths);
   Way back;
   if (!forth.closes) {
     back = follow(arm, pose, begin.place, -direction, kMostSteps, accuracy, lengths);
   }
-  std::vector<SetPlace> places(back.places.rbegin(), back.places.rend());
-  places.push_back(begin.place);
-  places.insert(places.end(), forth.places.begin(), forth.places.end());
+  SetPlaces places = std::move(forth.places);
+  places.push_front(begin.place);
+  std::move(back.places.begin(), back.places.end(), std::front_inserter(places));
   take(places, traced.motion.samples, traced.motion.misfit);
   traced.motion.closes = forth.closes;
   traced.is_whole = forth.is_whole && back.is_whole;
@@ -384,8 +384,8 @@ bool is_nearer(const Arm& arm, const VectorXd& a, const VectorXd& b, double with
 }
 
 /// To one side, as far as the set goes on, and no farther than so many steps.
-SetPlace walk(const Arm& arm, const Eigen::Isometry3d& pose, SetPlace here, VectorXd side,
-              double accuracy, double step, int most) {
+SetPlace walk(const Arm& arm, const Eigen::Isometry3d& pose, SetPlace here,
+              JointVector<double> side, double accuracy, double step, int most) {
   for (int k = 0; k < most; ++k) {
     auto next = moved(arm, pose, here, side, step, accuracy);
     if (!next) break;
@@ -398,7 +398,7 @@ SetPlace walk(const Arm& arm, const Eigen::Isometry3d& pose, SetPlace here, Vect
 /// Places of the set, no nearer to each other than kApart steps; what can be walked to is no
 /// farther from one of them, if they are all.
 struct Cover {
-  std::vector<SetPlace> places;
+  SetPlaces places;
   bool is_whole = true;
 };
 
@@ -490,14 +490,17 @@ bool is_told_there(const Arm& arm, const std::vector<SelfMotion>& told, const Se
   });
 }
 
-/// Of an arm of six joints or fewer the one direction that may stand, where there is but one.
-std::optional<SetBegin> one_way(const Arm& arm, const Eigen::Isometry3d& pose,
-                                const VectorXd& from) {
+/// Of an arm of six joints or fewer the one direction that may stand, where there is but one: along
+/// another the tip moves over a probe by clearly more than the accuracy.
+std::optional<SetBegin> one_way(const Arm& arm, const Eigen::Isometry3d& pose, const VectorXd& from,
+                                double accuracy) {
   constexpr Index kSix = 6;
+  constexpr double kClearly = 4;
   if (from.size() > kSix) return std::nullopt;
   SetPlace place = place_at(arm, pose, from);
   const Screws<double>& screws = place.at.screws;
-  if (may_stand_along_more(screws)) return std::nullopt;
+  const double may_stand = std::min(kMayStand * screws.norm(), kClearly * accuracy / kProbe);
+  if (still_count(screws, may_stand) > 1) return std::nullopt;
   const VectorXd way = least_motion(screws).joints;
   return SetBegin{std::move(place), way};
 }
@@ -589,7 +592,7 @@ std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose
                          {open, sought.seed, sought.for_closures}, size, told);
   };
   if (accuracy > kReach) {
-    auto begin = one_way(arm, pose, from);
+    auto begin = one_way(arm, pose, from, accuracy);
     if (!begin) return traced_at(1, accuracy);
     if (!may_reach(arm, pose, *begin, accuracy)) return std::nullopt;
     // Within a coarse accuracy other directions may stand for a probe, too.
@@ -612,7 +615,7 @@ std::vector<VectorXd> closures_near(const Arm& arm, const Eigen::Isometry3d& pos
   const SelfMotion& motion = traced.motion;
   if (motion.misfit <= kReach && !has_ends(motion)) return {};
   if (motion.dimension > 1) return motion.samples;
-  std::vector<SetPlace>& places = traced.curve;
+  SetPlaces& places = traced.curve;
   for (std::size_t k = 0; motion.closes && k < 2; ++k) {
     places.push_back(again_after(arm, places.back(), places[k]));
   }

@@ -26,9 +26,9 @@ namespace moivre {
 
 struct TracedSet {
   SelfMotion motion;
-  std::vector<SetPlace> curve;  ///< its places in order, where the dimension is 1
-  double accuracy = 0;          ///< within which it was followed
-  bool is_whole = true;         ///< it may be too large to be followed to all its ends
+  SetPlaces curve;       ///< its places, where the dimension is 1
+  double accuracy = 0;   ///< within which it was followed
+  bool is_whole = true;  ///< it may be too large to be followed to all its ends
 };
 
 /// A curve of postures ends nowhere: one that does, where it misses the pose by more than rounding,

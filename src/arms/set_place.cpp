@@ -12,18 +12,19 @@
 
 namespace moivre {
 
-Eigen::VectorXd in_arms_lengths(const Arm& arm, Eigen::VectorXd difference) {
+JointVector<double> in_arms_lengths(const Arm& arm, JointVector<double> difference) {
   for (Eigen::Index k = 0; k < difference.size(); ++k) {
     if (arm.joints[static_cast<std::size_t>(k)].is_slide) difference[k] /= arm.length;
   }
   return difference;
 }
 
-double apart(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+double apart(const Arm& arm, const JointValues& a, const JointValues& b) {
   return way_between(arm, a, b).norm();
 }
 
-SetPlace place_at(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& values) {
+SetPlace place_at(const Arm& arm, const Eigen::Isometry3d& pose,
+                  const JointVector<double>& values) {
   SetPlace place;
   place.values = values;
   place.at = linearized(arm, pose, values);
@@ -68,7 +69,7 @@ Velocity6<double> least_moved(const SetPlace& place, const Velocity6<double>& ne
 namespace {
 
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostJoints, kMostJoints>;
-using Frozen = Eigen::MatrixXd;  // orthonormal columns
+using Frozen = Eigen::Ref<const Eigen::MatrixXd>;  // orthonormal columns
 
 /// A singular value beside which a miss is far.
 constexpr double kLongWay = kProbe / 10;
@@ -156,8 +157,8 @@ JointVector<double> step_of(const Linearized& at, const Frozen& frozen, double a
 
 }  // namespace
 
-SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, Eigen::VectorXd values,
-                 const Eigen::MatrixXd& frozen, double accuracy) {
+SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, const JointVector<double>& values,
+                 const Frozen& frozen, double accuracy) {
   constexpr int kMost = 40;
   constexpr double kLongest = 0.2, kSettled = 1e-13, kShare = 1e-3, kCurved = 0.1;
   const double enough = std::max(kSettled, kShare * accuracy);
@@ -181,8 +182,8 @@ SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, Eigen::VectorXd 
 }
 
 std::optional<SetPlace> moved(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from,
-                              const Eigen::VectorXd& direction, double step, double accuracy) {
-  const Eigen::VectorXd there = from.values + in_joints<double>(arm, step * direction);
+                              const JointVector<double>& direction, double step, double accuracy) {
+  const JointVector<double> there = from.values + in_joints<double>(arm, step * direction);
   SetPlace place = settled(arm, pose, there, direction, accuracy);
   if (!(place.residual <= accuracy)) return std::nullopt;
   if ((place.values - there).cwiseAbs().maxCoeff() > std::abs(step)) return std::nullopt;
@@ -190,10 +191,10 @@ std::optional<SetPlace> moved(const Arm& arm, const Eigen::Isometry3d& pose, con
 }
 
 std::optional<SetPlace> place_between(const Arm& arm, const Eigen::Isometry3d& pose,
-                                      const SetPlace& place, const Eigen::VectorXd& gone,
+                                      const SetPlace& place, const JointVector<double>& gone,
                                       double accuracy) {
   constexpr double kBow = 0.1;
-  const Eigen::VectorXd half = place.values + in_joints<double>(arm, gone / 2);
+  const JointVector<double> half = place.values + in_joints<double>(arm, gone / 2);
   SetPlace between = settled(arm, pose, half, gone.normalized(), accuracy);
   const double bow = in_arms_lengths(arm, between.values - half).norm();
   if (!(between.residual <= accuracy && bow <= kBow * gone.norm())) return std::nullopt;
@@ -201,7 +202,7 @@ std::optional<SetPlace> place_between(const Arm& arm, const Eigen::Isometry3d& p
 }
 
 bool leads_to(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& place,
-              const Eigen::VectorXd& gone, double accuracy) {
+              const JointVector<double>& gone, double accuracy) {
   return place_between(arm, pose, place, gone, accuracy).has_value();
 }
 

@@ -14,6 +14,7 @@
 // that; its residual tells. Private to the module.
 #pragma once
 
+#include <deque>
 #include <optional>
 
 #include "moivre/factorization/svd.h"
@@ -25,17 +26,20 @@ namespace moivre {
 inline constexpr double kProbe = 0.05, kStep = 0.05;
 
 /// Of a difference of joint values, in radians and arm's lengths.
-Eigen::VectorXd in_arms_lengths(const Arm& arm, Eigen::VectorXd difference);
+JointVector<double> in_arms_lengths(const Arm& arm, JointVector<double> difference);
 
 /// |b - a|, turns modulo whole ones, in radians and arm's lengths.
-double apart(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
+double apart(const Arm& arm, const JointValues& a, const JointValues& b);
 
 /// A posture near a set.
 struct SetPlace {
-  Eigen::VectorXd values;
+  JointVector<double> values;
   double residual = 0;
   Linearized at;
 };
+
+/// Places of a curve in order: each is large, and stays where it is.
+using SetPlaces = std::deque<SetPlace>;
 
 /// U, sigma, V of the place; sigma as many as joints, 0 where there are more joints than six.
 Svd stretch_of(const SetPlace& place);
@@ -44,24 +48,24 @@ Velocity6<double> least_moved(const SetPlace& place);
 /// The same from that of a place nearby.
 Velocity6<double> least_moved(const SetPlace& place, const Velocity6<double>& nearby);
 
-SetPlace place_at(const Arm& arm, const Eigen::Isometry3d& pose, const Eigen::VectorXd& values);
+SetPlace place_at(const Arm& arm, const Eigen::Isometry3d& pose, const JointVector<double>& values);
 
 /// `frozen`: orthonormal columns, along which nothing is changed.
-SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, Eigen::VectorXd values,
-                 const Eigen::MatrixXd& frozen, double accuracy);
+SetPlace settled(const Arm& arm, const Eigen::Isometry3d& pose, const JointVector<double>& values,
+                 const Eigen::Ref<const Eigen::MatrixXd>& frozen, double accuracy);
 
 /// The place at `step` along `direction`; nothing where the pose is missed there.
 std::optional<SetPlace> moved(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& from,
-                              const Eigen::VectorXd& direction, double step, double accuracy);
+                              const JointVector<double>& direction, double step, double accuracy);
 
 /// The place of the set half way from here to `gone`, where the set goes straight on; nothing where
 /// it does not: other sets and closures may be as near.
 std::optional<SetPlace> place_between(const Arm& arm, const Eigen::Isometry3d& pose,
-                                      const SetPlace& place, const Eigen::VectorXd& gone,
+                                      const SetPlace& place, const JointVector<double>& gone,
                                       double accuracy);
 
 /// Whether there is one.
 bool leads_to(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& place,
-              const Eigen::VectorXd& gone, double accuracy);
+              const JointVector<double>& gone, double accuracy);
 
 }  // namespace moivre

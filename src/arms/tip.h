@@ -22,6 +22,8 @@ inline constexpr int kMostJoints = 16;
 
 template <class S>
 using JointVector = Eigen::Matrix<S, Eigen::Dynamic, 1, 0, kMostJoints, 1>;
+/// Of either kind of vector.
+using JointValues = Eigen::Ref<const Eigen::VectorXd>;
 template <class S>
 using Velocity6 = Eigen::Matrix<S, 6, 1>;
 template <class S>
@@ -150,7 +152,7 @@ inline double reduced_turn(double value) {
 }
 
 /// Of one joint from a to b, turns modulo whole ones, in radians or arm's lengths.
-inline double joint_way(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+inline double joint_way(const Arm& arm, const JointValues& a, const JointValues& b,
                         Eigen::Index k) {
   const double way = b[k] - a[k];
   if (arm.joints[static_cast<std::size_t>(k)].is_slide) return way / arm.length;
@@ -158,8 +160,7 @@ inline double joint_way(const Arm& arm, const Eigen::VectorXd& a, const Eigen::V
 }
 
 /// Of all joints.
-inline JointVector<double> way_between(const Arm& arm, const Eigen::VectorXd& a,
-                                       const Eigen::VectorXd& b) {
+inline JointVector<double> way_between(const Arm& arm, const JointValues& a, const JointValues& b) {
   JointVector<double> way(a.size());
   for (Eigen::Index k = 0; k < way.size(); ++k) way[k] = joint_way(arm, a, b, k);
   return way;
