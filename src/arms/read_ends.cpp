@@ -137,9 +137,11 @@ bool read_ends(const ArmBeginning& beginning, const std::vector<ApproachEnd>& en
       continue;
     }
     const bool is_infinite = end.kind == ApproachKind::infinite;
-    const bool counts = !is_infinite && added_size(beginning, end) <= kMargin * accuracy;
-    const std::size_t places = list.places.size();
     const bool is_nearly_real = is_coarse || imaginary <= kNearlyReal;
+    // A posture within the digits alone is marked; what is not real is of the arm as typed.
+    const double open = is_nearly_real ? accuracy : list.accuracy;
+    const bool counts = !is_infinite && added_size(beginning, end) <= kMargin * open;
+    const std::size_t places = list.places.size();
     const PostureEntry entry = is_nearly_real ? enter(list, start, false) : PostureEntry{};
     if (list.places.size() > places) seen.between_pairs.push_back(list.places.back());
     if (is_infinite) continue;
@@ -211,7 +213,9 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
     if (entry.kind != PostureEntry::Kind::on_set) ++result.counts.complex;
   }
   for (const ConjugatePair& pair : found.pairs) {
-    if (has_all_joints || added_at(pair.values) <= kMargin * accuracy) result.counts.complex += 2;
+    if (has_all_joints || added_at(pair.values) <= kMargin * list.accuracy) {
+      result.counts.complex += 2;
+    }
     const bool is_weak = pair.stiffness * kMayReach < accuracy;
     if (has_all_joints && is_weak) enter(list, own_values(six, pair.values.real()), false);
   }
