@@ -30,8 +30,8 @@ constexpr double kAlgebraShare = 0.5;
 // Some ten seconds.
 constexpr std::uint64_t kMostTerms = 1'000'000'000;
 constexpr double kTermCost = 20;
-// A path takes so many times as long as in double: in double-double; in 100 and then in 300 digits.
-constexpr double kTwiceTheDigits = 30, kAllDigits = 5000;
+// A path in 100 and then in 300 digits takes some thousands of times as long as in double.
+constexpr double kAllDigits = 5000;
 
 /// The bound whose value is `roots`; throws where it is less.
 bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots,
@@ -258,12 +258,11 @@ std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
 
 std::uint64_t terms_instead_of(const Run& run, const PathSet& paths) {
   const double of_one = cost_of_paths(run.setting.prepared.reduction.system, 1) / kTermCost;
-  if (paths.empty()) return 0;
   double terms = 0;
   for (const std::uint64_t path : paths) {
-    terms += (run.in_double_double.contains(path) ? kAllDigits : kTwiceTheDigits) * of_one;
+    const double instead = run.in_double_double.contains(path) ? kAllDigits * of_one : 0;
+    terms += std::max(static_cast<double>(kAffordableTerms), instead);
   }
-  terms = std::max(terms, static_cast<double>(kAffordableTerms));
   return static_cast<std::uint64_t>(std::min(terms, static_cast<double>(kMostTerms)));
 }
 

@@ -27,9 +27,9 @@
 
 namespace moivre {
 
-/// Terms of exact algebra that are worth it where these paths would be followed in more digits, in
-/// double-double or, if that has not decided one, in all digits: as many as take as long, and
-/// kAffordableTerms in any case.
+/// Terms of exact algebra that are worth it where these paths would be followed in more digits: in
+/// double-double each takes as long as kAffordableTerms; one that double-double has not decided
+/// takes all digits.
 std::uint64_t terms_instead_of(const Run& run, const PathSet& paths);
 
 /// Where a proved bound is met nothing is left in doubt: one path ends at each proved root, at each

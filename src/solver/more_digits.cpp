@@ -76,6 +76,19 @@ PathSet unproved_paths(const Run& run) {
   return paths;
 }
 
+/// Where all roots are isolated, and fewer are proved than there are: ends of one path each without
+/// a proof.
+PathSet unproved_ends_alone(Run& run) {
+  PathSet ends;
+  if (run.bounds.ring.verdict != QuotientRing::Verdict::finite || !is_root_missing(run))
+    return ends;
+  for (const PathGroups::Group group : judge(run).roots) {
+    const Root& root = run.table.roots().at(group.front());
+    if (group.size() == 1 && !root.point.simple && !root.is_exact) ends.insert(group.front());
+  }
+  return ends;
+}
+
 PathSet paths_at_infinity(const Run& run) {
   PathSet paths;
   for (std::uint64_t path = 0; path < run.table.records().size(); ++path) {
@@ -110,6 +123,7 @@ void raise_to_double_double(Run& run) {
   PathSet& raised = run.in_double_double;
   while (!run.interrupted) {
     PathSet last = unsettled_paths(run);
+    last.merge(unproved_ends_alone(run));
     for (const std::uint64_t path : raised) last.erase(path);
     if (last.empty()) return;
     raise_precision(run, last);

@@ -25,7 +25,8 @@ void raise_failed_paths(Run& run);
 void follow_in_smaller_steps(Run& run);
 
 /// A path may turn out to end where another was thought to: that one is followed next. Each is
-/// once.
+/// once. So is one that ends alone, without a proof, where fewer roots are proved than exact
+/// algebra counts: that costs less than to ask it for the roots.
 void raise_to_double_double(Run& run);
 
 /// Simple roots that double-double cannot part.

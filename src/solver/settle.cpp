@@ -18,7 +18,7 @@ constexpr Remedy kRemedies[]{
     part_in_double_double,    // several paths at a singular end: simple roots near to each other?
     raise_failed_paths,       // no end, by precision: many paths at once in double-double
     follow_in_smaller_steps,  // any: smaller steps, by the other tracker
-    raise_to_double_double,   // any, and what comes into doubt by that
+    raise_to_double_double,   // any, ends alone without a proof, what is in doubt by that
     give_missing_roots,       // fewer roots than exact algebra counts: the ring has the others
     raise_to_more_digits,     // any: 100 and 300 digits, as long as they help
     part_clusters_in_more_bits,  // several paths at one place that no count confirms: simple roots?
