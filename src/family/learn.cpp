@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "moivre/expression/counted.h"
@@ -172,7 +173,8 @@ Point generic_member(const Family& family, std::uint64_t seed) {
   Point p;
   for (std::size_t j = 0; j < family.parameters(); ++j) {
     const double radius = 0.5 + random_unit(seed, RandomStream::family, 2 * j);
-    const double quantum = std::ldexp(1, std::ilogb(family.sizes[j]) - kBitsOfMember);
+    const double quantum = std::max(std::ldexp(1, std::ilogb(family.sizes[j]) - kBitsOfMember),
+                                    std::numeric_limits<double>::denorm_min());
     const Complex pj =
         family.sizes[j] * radius * random_phase(seed, RandomStream::family, 2 * j + 1);
     p.emplace_back(rounded(pj.real(), quantum), rounded(pj.imag(), quantum));

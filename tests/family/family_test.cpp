@@ -67,6 +67,15 @@ TEST(Learn, DrawsAMemberWhoseNumbersAreShort) {
   EXPECT_EQ(drawn.size(), 100U);
 }
 
+TEST(Learn, DrawsFiniteNumbersOfAnySize) {
+  for (const double size : {1e-320, 1e-300, 1e300}) {
+    const Family family = unlearned_family(read_system({"test", "1 2\nx - a;\n"}), {{"a", size}});
+    const Complex p = generic_member(family, 1).front();
+    EXPECT_GT(std::abs(p), 0.4 * size);
+    EXPECT_LT(std::abs(p), 1.6 * size);
+  }
+}
+
 TEST(Learn, NamesEveryFaultOfTheParameters) {
   const System system = read_system({"test", "1 3\na*x + b*x^2 - 1;\n"});
   try {
