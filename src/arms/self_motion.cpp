@@ -490,8 +490,9 @@ bool is_told_there(const Arm& arm, const std::vector<SelfMotion>& told, const Se
   });
 }
 
-/// Of an arm of six joints or fewer the one direction that may stand, where there is but one: along
-/// another the tip moves over a probe by clearly more than the accuracy.
+/// Of an arm of six joints or fewer the one direction along which the tip may stand within the
+/// accuracy, where there is but one: over a probe others move it by clearly more, or, where the
+/// accuracy is coarse, are none whose singular value is small.
 std::optional<SetBegin> one_way(const Arm& arm, const Eigen::Isometry3d& pose, const VectorXd& from,
                                 double accuracy) {
   constexpr Index kSix = 6;
