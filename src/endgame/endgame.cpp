@@ -232,7 +232,7 @@ PathSegment Endgame::turn_to_circles(PathSystem& path) {
   watched_at_ = endgame_start_;
   watched_radius_ = radius_;
   phase_ = Phase::first_approach;
-  return approach(common_radius(radius_));
+  return approach(std::max(common_radius(radius_), options_.ends.creeping_radius));
 }
 
 // A tracker that has t = 1 in view passes points of the way as near to the path as it needs for
@@ -303,7 +303,7 @@ std::optional<PathSegment> Endgame::begin_circle() {
 }
 
 bool Endgame::may_wait() const {
-  return options_.may_wait && turns_ == 1 && radius_ == next_radius_ && !looks_again_;
+  return options_.may_wait && radius_ == next_radius_ && !looks_again_;
 }
 
 std::optional<PathSegment> Endgame::next_turn(SegmentResult&& reached, PathSystem& path) {
@@ -321,28 +321,29 @@ std::optional<PathSegment> Endgame::next_turn(SegmentResult&& reached, PathSyste
   return std::nullopt;
 }
 
-PathSegment Endgame::go_on() {
-  waits_ = options_.may_wait = false;
+PathSegment Endgame::walk_on() {
+  waits_ = false;
   return walk_turn(std::move(turn_end_));
 }
 
-std::vector<Point> Endgame::turn() const {
+std::vector<Point> Endgame::samples() const {
   std::vector<Point> samples;
   for (const Point& sample : samples_) samples.push_back(outside(frame_, sample));
   return samples;
 }
 
-std::optional<PathSegment> Endgame::join(const std::vector<std::vector<Point>>& turns,
+std::optional<PathSegment> Endgame::join(const std::vector<std::vector<Point>>& samples,
                                          std::size_t own, PathSystem& path) {
   path.set_frame(frame_.get());
-  waits_ = options_.may_wait = false;
-  for (std::size_t k = 1; k < turns.size(); ++k) {
-    for (const Point& sample : turns[(own + k) % turns.size()]) {
+  waits_ = false;
+  for (std::size_t k = 1; k < samples.size(); ++k) {
+    for (const Point& sample : samples[(own + k) % samples.size()]) {
       samples_.push_back(normalized(inside(frame_, sample)));
     }
   }
-  turns_ = static_cast<int>(turns.size());
-  return hand_on(estimate_end(path), path);
+  turns_ = static_cast<int>(samples_.size()) / options_.ends.samples;
+  const bool is_cycle = turns_ <= options_.ends.maximum_winding;
+  return hand_on(is_cycle ? estimate_end(path) : shrink(path), path);
 }
 
 std::optional<PathSegment> Endgame::end_with(const Endgame& sheet) {

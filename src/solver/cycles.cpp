@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -51,27 +52,52 @@ class TurnBeginnings {
   std::vector<std::size_t> order_;
 };
 
+/// Of each ring of two sheets and more the smallest position.
+std::vector<std::size_t> smallest_of_rings(const std::vector<std::optional<std::size_t>>& next) {
+  constexpr std::size_t kNotSeen = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> seen_from(next.size(), kNotSeen);
+  std::vector<std::size_t> result;
+  for (std::size_t first = 0; first < next.size(); ++first) {
+    std::optional<std::size_t> at = first;
+    for (; at && seen_from[*at] == kNotSeen; at = next[*at]) seen_from[*at] = first;
+    if (!at || seen_from[*at] != first || next[*at] == at) continue;
+    std::size_t smallest = *at;
+    for (std::size_t k = *next[*at]; k != *at; k = *next[k]) smallest = std::min(smallest, k);
+    result.push_back(smallest);
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
 }  // namespace
 
-std::vector<std::vector<std::size_t>> cycles_of(const std::vector<Turn>& turns, std::size_t most) {
+std::vector<SheetChain> chains_of(const std::vector<Turn>& turns) {
   const TurnBeginnings beginnings(turns);
+  const std::size_t count = turns.size();
   std::vector<std::optional<std::size_t>> next;
   for (const Turn& turn : turns) next.push_back(beginnings.next_of(turn));
-  std::vector<std::vector<std::size_t>> cycles;
-  std::vector<bool> is_taken(turns.size());
-  for (std::size_t first = 0; first < turns.size(); ++first) {
-    if (is_taken[first]) continue;
-    std::vector<std::size_t> cycle{first};
-    auto at = next[first];
-    while (at && *at != first && !is_taken[*at] && cycle.size() < most) {
-      cycle.push_back(*at);
-      at = next[*at];
+  std::vector<SheetChain> chains;
+  std::vector<bool> is_taken(count);
+  // From `first` on, as far as sheets are free.
+  const auto take_chain = [&](std::size_t first) {
+    SheetChain chain;
+    std::optional<std::size_t> at = first;
+    for (; at && !is_taken[*at]; at = next[*at]) {
+      is_taken[*at] = true;
+      chain.sheets.push_back(*at);
     }
-    if (at != first) cycle.resize(1);
-    for (const std::size_t k : cycle) is_taken[k] = true;
-    cycles.push_back(std::move(cycle));
+    chain.is_closed = chain.sheets.size() > 1 && at == first;
+    chains.push_back(std::move(chain));
+  };
+  for (const std::size_t first : smallest_of_rings(next)) take_chain(first);
+  std::vector<bool> has_predecessor(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!is_taken[k] && next[k] && *next[k] != k) has_predecessor[*next[k]] = true;
   }
-  return cycles;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!is_taken[k] && !has_predecessor[k]) take_chain(k);
+  }
+  return chains;
 }
 
 }  // namespace moivre

@@ -17,7 +17,9 @@
 namespace moivre {
 namespace {
 
-// What was seen of a path's end is no farther from its root, relative to max(1, |x|_inf).
+// What was seen of a path's end is no farther from its root, relative to max(1, |x|_inf). Of a path
+// that has no end in any digits a point on the way was seen, which tells no more than which root is
+// nearest.
 constexpr double kFarthestEnd = 0.1;
 
 /// Where nothing was eliminated the disc is the certificate.
@@ -81,9 +83,16 @@ std::optional<std::vector<ProvedPlace>> proved_places(const Run& run) {
   return std::nullopt;
 }
 
+/// A path and the last that was seen of it.
+struct SeenPath {
+  std::uint64_t path;
+  Point x;
+  bool is_near_its_root = true;
+};
+
 /// The paths that have no root of their own.
 struct PathsInDoubt {
-  std::vector<std::pair<std::uint64_t, Point>> seen;  ///< each with the last that was seen of it
+  std::vector<SeenPath> seen;
   /// Those that jumped to another path's root, or were last seen before the last stage: nothing
   /// tells where theirs are.
   std::vector<std::uint64_t> unseen;
@@ -94,7 +103,7 @@ PathsInDoubt paths_in_doubt(const Run& run) {
   PathsInDoubt paths;
   for (const auto& [path, root] : run.table.roots()) {
     if (!root.certificate) {
-      paths.seen.emplace_back(path, root.point.x);
+      paths.seen.push_back({path, root.point.x});
     } else if (judged.open.contains(path)) {
       paths.unseen.push_back(path);
     }
@@ -102,7 +111,7 @@ PathsInDoubt paths_in_doubt(const Run& run) {
   for (const auto& [path, failure] : run.table.failures()) {
     const auto last = run.table.last_points().find(path);
     if (last != run.table.last_points().end()) {
-      paths.seen.emplace_back(path, last->second);
+      paths.seen.push_back({path, last->second, !run.in_all_digits.contains(path)});
     } else {
       paths.unseen.push_back(path);
     }
@@ -114,11 +123,14 @@ PathsInDoubt paths_in_doubt(const Run& run) {
 std::optional<std::uint64_t> take_path(PathsInDoubt& paths, const Point& x) {
   auto& [seen, unseen] = paths;
   const auto nearest = std::min_element(seen.begin(), seen.end(), [&](auto& a, auto& b) {
-    return max_distance(x, a.second) < max_distance(x, b.second);
+    return max_distance(x, a.x) < max_distance(x, b.x);
   });
+  const auto may_end_there = [&](const SeenPath& last) {
+    return !last.is_near_its_root || relative_distance(x, last.x) <= kFarthestEnd;
+  };
   std::optional<std::uint64_t> path;
-  if (nearest != seen.end() && relative_distance(x, nearest->second) <= kFarthestEnd) {
-    path = nearest->first;
+  if (nearest != seen.end() && may_end_there(*nearest)) {
+    path = nearest->path;
     seen.erase(nearest);
   } else if (!unseen.empty()) {
     path = unseen.back();

@@ -18,7 +18,6 @@
 #include <utility>
 #include <vector>
 
-#include "cycles.h"
 #include "point_hash.h"
 #include "stage_starts.h"
 
@@ -120,33 +119,26 @@ class SessionSource : public SegmentSource {
     take_up({segment.path, std::move(endgame)}, std::move(next));
   }
 
-  /// The sheets of one cycle, in the order of their turns. What the first finds at infinity holds
-  /// for all.
-  void join(std::vector<WaitingPath>&& sheets) {
-    std::vector<std::vector<Point>> turns;
-    for (const WaitingPath& sheet : sheets) turns.push_back(sheet.endgame->turn());
-    Endgame& first = *sheets.front().endgame;
-    std::optional<PathSegment> next_of_first = first.join(turns, 0, scratch_);
-    const bool is_told = first.end().status == PathStatus::at_infinity;
-    for (std::size_t k = 1; k < sheets.size(); ++k) {
-      std::optional<PathSegment> next = is_told ? sheets[k].endgame->end_with(first)
-                                                : sheets[k].endgame->join(turns, k, scratch_);
-      take_up(std::move(sheets[k]), std::move(next));
-    }
-    take_up(std::move(sheets.front()), std::move(next_of_first));
-  }
-
-  bool is_ready() const { return !ready_.empty(); }
-
   void take_up(WaitingPath&& path, std::optional<PathSegment>&& next) {
     if (next) {
       ready_.push_back(std::move(*next));
       under_way_[path.path] = std::move(path.endgame);
     } else if (path.endgame->waits()) {
-      shared_.let_wait(path.path, std::move(path.endgame));
+      let_wait(std::move(path));
     } else {
-      shared_.hand_in(path.path, std::move(path.endgame->end()));
+      hand_in(std::move(path));
     }
+  }
+
+ protected:
+  bool is_ready() const { return !ready_.empty(); }
+  PathSystem& scratch() { return scratch_; }
+
+  virtual void let_wait(WaitingPath&& path) {
+    shared_.let_wait(path.path, std::move(path.endgame));
+  }
+  virtual void hand_in(WaitingPath&& path) {
+    shared_.hand_in(path.path, std::move(path.endgame->end()));
   }
 
  private:
@@ -207,39 +199,99 @@ bool is_within_memory(Shared& shared, const std::function<void()>& work) {
   return !shared.is_exhausted;
 }
 
-/// What one thread does with the cycles that it draws: together where they have several sheets.
+/// What one thread does with the chains that it draws: on every circle their sheets wait for one
+/// another after a turn.
 class CycleSource : public SessionSource {
  public:
   CycleSource(const PathProblem& problem, Shared& shared, std::vector<WaitingPath>& waiting,
-              const std::vector<std::vector<std::size_t>>& cycles, const JobDraw& draw)
+              const std::vector<SheetChain>& chains, const JobDraw& draw)
       : SessionSource(problem, problem.endgame, shared, nullptr),
+        most_turns_(static_cast<std::size_t>(problem.endgame.ends.maximum_winding)),
         shared_(shared),
         waiting_(waiting),
-        cycles_(cycles),
+        chains_(chains),
         draw_(draw) {}
 
   std::optional<PathSegment> next() override {
     while (!is_ready() && !shared_.is_over()) {
-      const auto cycle = draw_();
-      if (!cycle) break;
-      begin(cycles_[*cycle]);
+      const auto chain = draw_();
+      if (!chain) break;
+      go_on(waiting_, chains_[*chain]);
     }
     return SessionSource::next();
   }
 
  private:
-  void begin(const std::vector<std::size_t>& cycle) {
-    std::vector<WaitingPath> sheets;
-    for (const std::size_t k : cycle) sheets.push_back(std::move(waiting_[k]));
-    if (sheets.size() > 1) return join(std::move(sheets));
-    PathSegment next = sheets.front().endgame->go_on();
-    take_up(std::move(sheets.front()), std::move(next));
+  /// Sheets that began together: how many have no end yet, and which of them wait.
+  struct Sheets {
+    std::size_t without_end = 0;
+    std::vector<WaitingPath> waiting;
+  };
+
+  /// Those of a closed chain share their turns. One with more of them than a cycle may have is left
+  /// for a smaller circle. Where one is open, its last walks on.
+  void go_on(std::vector<WaitingPath>& waiting, const SheetChain& chain) {
+    const auto sheets = std::make_shared<Sheets>();
+    sheets->without_end = chain.sheets.size();
+    std::size_t turns = 0;
+    for (const std::size_t k : chain.sheets) {
+      sheets_of_[waiting[k].path] = sheets;
+      sheets->waiting.push_back(std::move(waiting[k]));
+      turns += static_cast<std::size_t>(sheets->waiting.back().endgame->turns());
+    }
+    if (chain.is_closed || turns > most_turns_) {
+      join(std::exchange(sheets->waiting, {}));
+    } else {
+      WaitingPath last = std::move(sheets->waiting.back());
+      sheets->waiting.pop_back();
+      PathSegment next = last.endgame->walk_on();
+      take_up(std::move(last), std::move(next));
+    }
   }
 
+  /// What the first finds at infinity holds for all.
+  void join(std::vector<WaitingPath>&& sheets) {
+    std::vector<std::vector<Point>> samples;
+    for (const WaitingPath& sheet : sheets) samples.push_back(sheet.endgame->samples());
+    Endgame& first = *sheets.front().endgame;
+    std::optional<PathSegment> next_of_first = first.join(samples, 0, scratch());
+    const bool is_told = first.end().status == PathStatus::at_infinity;
+    for (std::size_t k = 1; k < sheets.size(); ++k) {
+      std::optional<PathSegment> next = is_told ? sheets[k].endgame->end_with(first)
+                                                : sheets[k].endgame->join(samples, k, scratch());
+      take_up(std::move(sheets[k]), std::move(next));
+    }
+    take_up(std::move(sheets.front()), std::move(next_of_first));
+  }
+
+  void let_wait(WaitingPath&& path) override {
+    const auto sheets = sheets_of_.at(path.path);
+    sheets->waiting.push_back(std::move(path));
+    go_on_if_all_wait(*sheets);
+  }
+
+  void hand_in(WaitingPath&& path) override {
+    const auto found = sheets_of_.find(path.path);
+    const auto sheets = found->second;
+    sheets_of_.erase(found);
+    SessionSource::hand_in(std::move(path));
+    --sheets->without_end;
+    go_on_if_all_wait(*sheets);
+  }
+
+  /// On a smaller circle they may belong to several cycles.
+  void go_on_if_all_wait(Sheets& sheets) {
+    if (sheets.waiting.size() < sheets.without_end) return;
+    std::vector<WaitingPath> waiting = std::exchange(sheets.waiting, {});
+    for (const SheetChain& chain : chains_among(waiting)) go_on(waiting, chain);
+  }
+
+  std::size_t most_turns_;
   Shared& shared_;
   std::vector<WaitingPath>& waiting_;
-  const std::vector<std::vector<std::size_t>>& cycles_;
+  const std::vector<SheetChain>& chains_;
   const JobDraw& draw_;
+  std::map<std::uint64_t, std::shared_ptr<Sheets>> sheets_of_;
 };
 
 }  // namespace
@@ -293,8 +345,7 @@ bool track_until_they_wait(const PathProblem& problem, const PathList& paths, in
   return !shared.is_exhausted;
 }
 
-std::vector<std::vector<std::size_t>> cycles_among(std::vector<WaitingPath>& waiting,
-                                                   const PathProblem& problem) {
+std::vector<SheetChain> chains_among(std::vector<WaitingPath>& waiting) {
   std::sort(waiting.begin(), waiting.end(),
             [](const WaitingPath& a, const WaitingPath& b) { return a.path < b.path; });
   std::vector<Turn> turns;
@@ -303,18 +354,18 @@ std::vector<std::vector<std::size_t>> cycles_among(std::vector<WaitingPath>& wai
     turns.push_back(
         {endgame.radius(), hash_of(endgame.begin_of_turn()), hash_of(endgame.end_of_turn())});
   }
-  return cycles_of(turns, static_cast<std::size_t>(problem.endgame.ends.maximum_winding));
+  return chains_of(turns);
 }
 
 bool walk_cycles(const PathProblem& problem, std::vector<WaitingPath>& waiting,
-                 const std::vector<std::vector<std::size_t>>& cycles, const JobDraw& draw,
-                 int threads, const EndSink& sink, const std::atomic<bool>& stop) {
+                 const std::vector<SheetChain>& chains, const JobDraw& draw, int threads,
+                 const EndSink& sink, const std::atomic<bool>& stop) {
   const PathList none;
   Shared shared{none, 0, sink, stop};
-  const std::size_t sessions = std::min(static_cast<std::size_t>(threads), cycles.size());
+  const std::size_t sessions = std::min(static_cast<std::size_t>(threads), chains.size());
   is_within_memory(shared, [&] {
     for_each_parallel(sessions, threads, [&](std::size_t) {
-      CycleSource source(problem, shared, waiting, cycles, draw);
+      CycleSource source(problem, shared, waiting, chains, draw);
       run_session(*problem.tracker.open(problem.plan.last()), source, shared.stop);
     });
   });
@@ -329,19 +380,19 @@ bool track_paths(const PathProblem& problem, const PathList& paths, int toleranc
     return false;
   if (waiting.empty()) return true;
   if (when_they_wait) when_they_wait();
-  std::vector<std::vector<std::size_t>> cycles;
+  std::vector<SheetChain> chains;
   try {
-    cycles = cycles_among(waiting, problem);
+    chains = chains_among(waiting);
   } catch (const std::bad_alloc&) {
     return false;
   }
   std::atomic<std::size_t> next{0};
   const JobDraw in_order = [&]() -> std::optional<std::uint64_t> {
     const std::size_t k = next.fetch_add(1, std::memory_order_relaxed);
-    if (k >= cycles.size()) return std::nullopt;
+    if (k >= chains.size()) return std::nullopt;
     return k;
   };
-  return walk_cycles(problem, waiting, cycles, in_order, threads, sink, stop);
+  return walk_cycles(problem, waiting, chains, in_order, threads, sink, stop);
 }
 
 }  // namespace moivre

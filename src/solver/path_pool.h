@@ -4,7 +4,8 @@
 //
 // A path that has walked one turn around t = 1 waits until all others of its thousands have come so
 // far: those that lead to one another are the sheets of one cycle, and its samples are theirs
-// (cycles.h). So a cycle of m sheets takes m turns, not m times m.
+// (cycles.h). So a cycle of m sheets takes m turns, not m times m, on smaller circles, too. Where
+// no path waits on some of its sheets, the last before these walks on through them for all.
 //
 // Results do not depend on the number of threads: a path's end depends on its number, its tolerance
 // level and the paths that it is followed with. Memory: the endgames under way, those that wait,
@@ -18,6 +19,7 @@
 #include <optional>
 #include <vector>
 
+#include "cycles.h"
 #include "moivre/endgame/endgame.h"
 #include "moivre/solver/solve.h"
 #include "moivre/start/start_plan.h"
@@ -74,15 +76,14 @@ bool track_until_they_wait(const PathProblem& problem, const PathList& paths, in
                            int threads, const EndSink& sink, const std::atomic<bool>& stop,
                            std::vector<WaitingPath>& waiting);
 
-/// The cycles among all that wait, which are put into the order of their paths. Each stands in one,
+/// The chains among all that wait, which are put into the order of their paths. Each stands in one,
 /// by its position.
-std::vector<std::vector<std::size_t>> cycles_among(std::vector<WaitingPath>& waiting,
-                                                   const PathProblem& problem);
+std::vector<SheetChain> chains_among(std::vector<WaitingPath>& waiting);
 
-/// The second part: those cycles that are drawn, to their ends.
+/// The second part: those chains that are drawn, to their ends.
 bool walk_cycles(const PathProblem& problem, std::vector<WaitingPath>& waiting,
-                 const std::vector<std::vector<std::size_t>>& cycles, const JobDraw& draw,
-                 int threads, const EndSink& sink, const std::atomic<bool>& stop);
+                 const std::vector<SheetChain>& chains, const JobDraw& draw, int threads,
+                 const EndSink& sink, const std::atomic<bool>& stop);
 
 /// f(k) for k in [0, count) on `threads` threads; in order on the caller's thread when that is one.
 void for_each_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& f);

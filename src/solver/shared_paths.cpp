@@ -28,8 +28,8 @@ std::string told_of(const WaitingPath& path) {
   return bytes.bytes();
 }
 
-/// Ends of a cycle's sheets, told when all are there.
-struct CycleEnds {
+/// Ends of a chain's sheets, told when all are there.
+struct ChainEnds {
   std::size_t wanted = 0;
   std::size_t ended = 0;
   ByteWriter bytes = {};
@@ -113,15 +113,15 @@ void SharedPaths::take(const ToldOutcome& told) {
 }
 
 void SharedPaths::walk_circles() {
-  const auto cycles = cycles_among(waiting_, problem_);
+  const auto chains = chains_among(waiting_);
   FingerprintMaker maker;
   maker.add(std::string_view("circles"));
   maker.add(list_.first);
   maker.add(list_.second);
-  const auto shares = observations_.share(maker.fingerprint(), cycles.size());
+  const auto shares = observations_.share(maker.fingerprint(), chains.size());
   if (!shares) return;
   do_together(
-      *shares, stop_, [&] { walk_mine(*shares, cycles); },
+      *shares, stop_, [&] { walk_mine(*shares, chains); },
       [&](const ToldOutcome& told) {
         ByteReader bytes(told.bytes);
         while (!bytes.is_at_end()) {
@@ -131,24 +131,23 @@ void SharedPaths::walk_circles() {
       });
 }
 
-void SharedPaths::walk_mine(JobShares& shares,
-                            const std::vector<std::vector<std::size_t>>& cycles) {
+void SharedPaths::walk_mine(JobShares& shares, const std::vector<SheetChain>& chains) {
   if (!has_memory_) return;
-  std::map<std::uint64_t, std::uint64_t> cycle_of;
-  std::vector<CycleEnds> ends(cycles.size());
-  for (std::size_t c = 0; c < cycles.size(); ++c) {
-    ends[c].wanted = cycles[c].size();
-    for (const std::size_t k : cycles[c]) cycle_of[waiting_[k].path] = c;
+  std::map<std::uint64_t, std::uint64_t> chain_of;
+  std::vector<ChainEnds> ends(chains.size());
+  for (std::size_t c = 0; c < chains.size(); ++c) {
+    ends[c].wanted = chains[c].sheets.size();
+    for (const std::size_t k : chains[c].sheets) chain_of[waiting_[k].path] = c;
   }
   has_memory_ = walk_cycles(
-      problem_, waiting_, cycles, [&shares] { return shares.draw(); }, threads_,
+      problem_, waiting_, chains, [&shares] { return shares.draw(); }, threads_,
       [&](std::uint64_t path, PathEnd&& end) {
-        const std::uint64_t cycle = cycle_of.at(path);
-        CycleEnds& of = ends[cycle];
+        const std::uint64_t chain = chain_of.at(path);
+        ChainEnds& of = ends[chain];
         if (end.failure != Failure::cancelled) {
           of.bytes.put(path);
           of.bytes.put(std::string_view(bytes_of(end)));
-          if (++of.ended == of.wanted) shares.tell(cycle, of.bytes.bytes());
+          if (++of.ended == of.wanted) shares.tell(chain, of.bytes.bytes());
         }
         this->end(path, std::move(end), EndPart::of_others_too);
       },

@@ -4,7 +4,7 @@
 //
 //   first   paths, one by one: each process those that it draws. Told: an end, or where the path
 //           waits after its first turn
-//   then    the cycles among those that wait, which all processes find alike: each walks those that
+//   then    the chains among those that wait, which all processes find alike: each walks those that
 //           it draws. Told: their ends
 //
 // So a path waits for those that it would wait for in one process, whoever follows them.
@@ -30,7 +30,7 @@ class SharedPaths {
   void follow_mine(JobShares& shares);
   void take(const ToldOutcome& told);
   void walk_circles();
-  void walk_mine(JobShares& shares, const std::vector<std::vector<std::size_t>>& cycles);
+  void walk_mine(JobShares& shares, const std::vector<SheetChain>& chains);
   void end(std::uint64_t path, PathEnd&& end, EndPart part);
 
   const PathProblem& problem_;

@@ -22,8 +22,17 @@ void report_progress(const Run& run) {
   run.setting.options.progress(progress);
 }
 
-/// So many paths are followed before others begin: at most so many wait for one another.
+// So many paths are followed before others begin; more where they may wait for one another: as many
+// as fit into this memory with the points that each has kept.
 constexpr std::uint64_t kPathsTogether = 4096;
+constexpr std::uint64_t kBytesOfWaiting = std::uint64_t{64} << 20;
+
+std::uint64_t paths_together(const PathProblem& problem) {
+  if (problem.endgame.only_regular) return kPathsTogether;
+  const auto points = static_cast<std::uint64_t>(problem.endgame.ends.samples) + 5;
+  const std::uint64_t coordinates = problem.plan.last().coordinates();
+  return std::max(kPathsTogether, kBytesOfWaiting / (points * coordinates * sizeof(Complex)));
+}
 
 /// Verdicts go to `sink`, but for those that the run's end cut short; what is finite is refined.
 void follow(Run& run, const PathProblem& problem, const PathList& paths, int tolerance_level,
@@ -36,9 +45,10 @@ void follow(Run& run, const PathProblem& problem, const PathList& paths, int tol
     sink(path, std::move(end));
   };
   bool has_memory = true;
+  const std::uint64_t together = paths_together(problem);
   for (std::uint64_t first = 0; first < paths.count && has_memory && !setting.stop;
-       first += kPathsTogether) {
-    const PathList block{std::min(kPathsTogether, paths.count - first),
+       first += together) {
+    const PathList block{std::min(together, paths.count - first),
                          [&](std::uint64_t k) { return paths.path_of(first + k); },
                          paths.endgame_starts};
     has_memory = observe_paths(problem, block, tolerance_level, setting.threads,

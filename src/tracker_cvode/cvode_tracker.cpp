@@ -14,6 +14,7 @@
 
 #include "cvode_memory.h"
 #include "moivre/numeric/invalid_input.h"
+#include "moivre/tracker/hermite_predictor.h"
 #include "moivre/tracker/option_table.h"
 #include "moivre/tracker/session.h"
 
@@ -44,7 +45,9 @@ class CvodeSession : public TrackerSession {
         memory_(options.method == CvodeMethod::adams ? CV_ADAMS : CV_BDF, options.iteration,
                 path_.coordinates()),
         trial_(path_.coordinates()),
-        foot_{-1, Point(path_.coordinates()), Point(path_.coordinates())} {
+        foot_{-1, Point(path_.coordinates()), Point(path_.coordinates())},
+        last_{0, Point(path_.coordinates()), Point(path_.coordinates())},
+        here_{last_} {
     set_up();
   }
 
@@ -62,6 +65,13 @@ class CvodeSession : public TrackerSession {
     Point x, tangent;
   };
 
+  /// A point of the path that a step has reached, and its tangent there where that is known.
+  struct Node {
+    double s = 0;
+    Point x, tangent;
+    bool has_tangent = false;
+  };
+
   bool projects() const { return options_.method == CvodeMethod::bdf_projection; }
   bool is_careful() const { return rtol_ < loosest_rtol_; }
   void forget();
@@ -75,7 +85,8 @@ class CvodeSession : public TrackerSession {
   bool depart(const PathSegment& segment);
   SegmentStatus step_on(const PathSegment& segment, const std::atomic<bool>& stop,
                         SegmentResult& reached);
-  bool take_samples(const PathSegment& segment, double previous, double s, SegmentResult& reached);
+  bool take_samples(const PathSegment& segment, double s, SegmentResult& reached);
+  bool find_tangent(Node& node);
   void count_into(StepCount& count) const;
 
   static int right_hand_side(sunrealtype s, N_Vector state, N_Vector derivative, void* self);
@@ -87,7 +98,9 @@ class CvodeSession : public TrackerSession {
   PathSystem path_;
   CvodeMemory memory_;
   Point trial_;
-  Foot foot_;  ///< s < 0: none is known
+  Foot foot_;         ///< s < 0: none is known
+  Node last_, here_;  ///< on circles: both ends of the last step
+  HermitePredictor<Complex> between_;
   Contour contour_ = Contour::segment(0, 1);
   CorrectorOptions newton_;
   double loosest_rtol_ = 0;
@@ -236,6 +249,9 @@ bool CvodeSession::depart(const PathSegment& segment) {
   for (std::size_t i = 0; i < x.size(); ++i) x[i] = segment.x[i] / norm;
   if (!path_.correct(x, contour_.at(0), CorrectorOptions{}, true).converged) return false;
   forget();
+  last_.s = 0;
+  std::copy(x.begin(), x.end(), last_.x.begin());
+  last_.has_tangent = false;
   return CVodeReInit(memory_.cvode(), 0, memory_.state()) == CV_SUCCESS &&
          CVodeSetStopTime(memory_.cvode(), 1) == CV_SUCCESS;
 }
@@ -254,17 +270,31 @@ void CvodeSession::count_into(StepCount& count) const {
       static_cast<std::uint64_t>(error_failures + nonlinear_failures + projection_failures);
 }
 
-bool CvodeSession::take_samples(const PathSegment& segment, double previous, double s,
-                                SegmentResult& reached) {
+bool CvodeSession::find_tangent(Node& node) {
+  if (node.has_tangent) return true;
+  forget();
+  if (!path_.linearize(node.x, contour_.at(node.s))) return false;
+  path_.tangent(contour_.dt(node.s), node.tangent);
+  node.has_tangent = true;
+  return true;
+}
+
+/// Those of the step that has come to s: from the cubic polynomial of its ends and their tangents,
+/// which is nearer to the path than CVODE's interpolant, of first order where steps are bounded by
+/// Newton's method.
+bool CvodeSession::take_samples(const PathSegment& segment, double s, SegmentResult& reached) {
   const auto samples = static_cast<double>(segment.samples);
-  const auto x = coordinates(memory_.state());
-  for (double k = std::floor(previous * samples) + 1; k <= s * samples; ++k) {
-    Point sample(x.begin(), x.end());
+  here_.s = s;
+  here_.x = reached.x;
+  here_.has_tangent = false;
+  for (double k = std::floor(last_.s * samples) + 1; k <= s * samples; ++k) {
     const double at = k / samples;
+    Point sample = here_.x;
     if (at < s) {
-      // The state vector lends its memory to the interpolant and gets its value back.
-      if (CVodeGetDky(memory_.cvode(), at, 0, memory_.state()) != CV_SUCCESS) return false;
-      std::swap_ranges(sample.begin(), sample.end(), x.begin());
+      if (!find_tangent(last_) || !find_tangent(here_)) return false;
+      const HermiteNode<Complex> nodes[] = {{last_.s, 1, &last_.x, &last_.tangent},
+                                            {here_.s, 1, &here_.x, &here_.tangent}};
+      between_.predict(nodes, at, sample);
     }
     CorrectorOptions polish = newton_;
     polish.tolerance = kSampleTolerance;
@@ -272,6 +302,7 @@ bool CvodeSession::take_samples(const PathSegment& segment, double previous, dou
     if (!path_.correct(sample, contour_.at(at), polish, true).converged) return false;
     reached.samples.push_back(std::move(sample));
   }
+  std::swap(last_, here_);
   return true;
 }
 
@@ -291,7 +322,7 @@ SegmentStatus CvodeSession::step_on(const PathSegment& segment, const std::atomi
     }
     ease();
     std::copy(x.begin(), x.end(), reached.x.begin());
-    if (segment.samples > 0 && !take_samples(segment, previous, reached.s, reached)) {
+    if (segment.samples > 0 && !take_samples(segment, reached.s, reached)) {
       return SegmentStatus::off_path;
     }
     if (segment.watcher != nullptr &&

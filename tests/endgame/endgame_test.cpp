@@ -448,8 +448,9 @@ TEST(Endgame, APathThatWaitsGoesOnElsewhereAsItWouldHere) {
   elsewhere.wait_as(here.bytes_of_waiting(), here.end());
   EXPECT_TRUE(elsewhere.waits());
   EXPECT_EQ(elsewhere.bytes_of_waiting(), here.bytes_of_waiting());
-  follow_on(here, here.go_on());
-  follow_on(elsewhere, elsewhere.go_on());
+  for (Endgame* endgame : {&here, &elsewhere}) {
+    while (endgame->waits()) follow_on(*endgame, endgame->walk_on());
+  }
   EXPECT_EQ(here.end().winding, 3);
   EXPECT_EQ(elsewhere.end().winding, 3);
   EXPECT_EQ(elsewhere.end().x, here.end().x);

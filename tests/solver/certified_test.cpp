@@ -228,7 +228,7 @@ TEST(Certified, AnEndThatIsNotToldFromAfarIsLookedAtFromNearer) {
       "3\n -x^2*y*z - 8*x*y^2*z + x^2*y - 4466*x*y*z + 7*x^2 + x;\n"
       " x^2*y^2 + x*y^2 - 3595*y^2 - y;\n"
       " -8*x^2*z^2 + 8359*y*z^3 - 9*y*z^2 + x*z - z;\n");
-  expect_proved(f, 1, 3, 19, "dimension of the quotient ring");
+  expect_proved(f, 1, 3, 19, "stable mixed volume");
 }
 
 // x + y = 3 and 3 +- 6e-8 i: 128 bits converge to each, and do not prove it.

@@ -161,8 +161,8 @@ const Need kNeeds[] = {
     {raise_failed_paths, "EndsOfManyPathsThatSmallerStepsDoNotHelp",
      "2\n ((u - 3*v) + 9/5)^4*((u - 3*v) + 9/5 - 5/10^8)*((u - 3*v) + 4)^4*"
      "((u - 3*v) + 4 - 7/10^15);\n (10*v - 3*u)^2 - 2 - (u - 3*v)^2/97;\n"},
-    {follow_in_smaller_steps, "ADoubleRootNearALine",
-     "2\n (x - 1)^2*(2*x + 3*y - 7);\n (2*x + 3*y - 7 + 1/1000)*(2*x + 3*y - 7);\n", false, 2},
+    {follow_in_smaller_steps, "PairsOfRootsInAnEighthOfTheSteps",
+     "2\n z*(x + 3) - x^256 + 1;\n (2*x^2 - 1)^2*(2*x + 1) - 1/10^60*x;\n"},
     {raise_to_double_double, "PointsOfACurve",
      "2\n 7*x^2 - 9*y + 2;\n"
      " -56*x^3*y + 35*x^2*y^2 - 21*x^2*y + 72*x*y^2 - 45*y^3 + 56*x^2 - 16*x*y + 37*y^2 - 78*y + "

@@ -21,9 +21,9 @@
 //      began, to a radius that all paths have in common: two paths that stand at one point there
 //      are on one sheet, and one of them has jumped on its way in.
 //
-// The m points over one t are where m paths have arrived. So after one turn that leads to another
+// The m points over one t are where m paths have arrived. So after each turn that leads to another
 // point a path may wait for the others: turn by turn they have walked the circle together (waits(),
-// join()). What each would see alone is the same.
+// join(), walk_on()). What each would see alone is the same.
 //
 // x: N homogeneous coordinates of a chart, which knows x_0. accuracy: relative, |x - x*|_inf /
 // |x|_inf in homogeneous coordinates.
@@ -96,10 +96,12 @@ class Endgame : public Watcher {
   /// known. `path`: scratch for evaluations.
   std::optional<PathSegment> accept(SegmentResult&& reached, PathSystem& path);
 
-  /// The verdict is not known, and there is no segment: one turn has led from begin_of_turn() to
-  /// another sheet's, which may be that of another path that waits. Ends by join() or go_on().
+  /// The verdict is not known, and there is no segment: the turns so far have led from
+  /// begin_of_turn() to another sheet's, which may be that of another path that waits. Ends by
+  /// join() or walk_on().
   bool waits() const noexcept { return waits_; }
   double radius() const noexcept { return radius_; }
+  int turns() const noexcept { return turns_; }
   /// Homogeneous, in no frame; both over 1 - t = radius().
   Point begin_of_turn() const { return outside(frame_, turn_begin_); }
   Point end_of_turn() const { return outside(frame_, turn_end_); }
@@ -108,13 +110,13 @@ class Endgame : public Watcher {
   /// As the one that wrote these bytes, of the same options, chart, path and tolerance level.
   /// Throws std::invalid_argument where they are no such bytes.
   void wait_as(std::string_view bytes, PathEnd end);
-  /// Alone.
-  PathSegment go_on();
-  /// The samples of its turn, homogeneous, in no frame.
-  std::vector<Point> turn() const;
-  /// With the turns of all sheets of its cycle, each beginning where the one before has ended, its
-  /// own turns[own].
-  std::optional<PathSegment> join(const std::vector<std::vector<Point>>& turns, std::size_t own,
+  /// One turn more.
+  PathSegment walk_on();
+  /// The samples of its turns, homogeneous, in no frame.
+  std::vector<Point> samples() const;
+  /// With the samples of all sheets of its chain, each beginning where the one before has ended,
+  /// its own samples[own]: they are closed, or more turns than a cycle may have.
+  std::optional<PathSegment> join(const std::vector<std::vector<Point>>& samples, std::size_t own,
                                   PathSystem& path);
   /// As a sheet of the same cycle, which has ended at infinity.
   std::optional<PathSegment> end_with(const Endgame& sheet);
