@@ -45,6 +45,14 @@ constexpr std::size_t kLargestDimension = 250;
 /// safe.
 double sum_rounding(std::size_t n) { return 2 * kUnitRoundoff * (static_cast<double>(n) + 8); }
 
+/// sum <- sum + y a + g b.
+void add_columns(const double* __restrict y, double a, const double* __restrict g, double b,
+                 std::vector<double>& sum) {
+  double* __restrict s = sum.data();
+  const std::size_t n = sum.size();
+  for (std::size_t j = 0; j < n; ++j) s[j] += y[j] * a + g[j] * b;
+}
+
 }  // namespace
 
 DoubleStage::DoubleStage(const CertifyProgram& program)
@@ -166,12 +174,7 @@ double DoubleStage::correction() {
 
 /// Y near J(m)^{-1}, G = I - Y J, and their sizes; c and the part of kappa that is free of rho.
 void DoubleStage::invert() {
-  for (std::size_t k = 0; k < n_; ++k) {
-    const std::span<Complex> column(&y_[k * n_], n_);
-    std::fill(column.begin(), column.end(), Complex(0));
-    column[k] = 1;
-    lu_.solve(column);
-  }
+  lu_.invert(y_);
   std::fill(g_.begin(), g_.end(), Complex(0));
   for (std::size_t j = 0; j < n_; ++j) g_[j * n_ + j] = 1;
   for (std::size_t s = 0; s < jacobian_.size(); ++s) {
@@ -261,9 +264,7 @@ void DoubleStage::apply(std::span<const double> reach) {
   for (double& l : load_) l = raised(l);
   for (std::size_t j = 0; j < n_; ++j) image_[j] = rounding_ * reach[j];
   for (std::size_t k = 0; k < n_; ++k) {
-    for (std::size_t j = 0; j < n_; ++j) {
-      image_[j] += size_y_[k * n_ + j] * load_[k] + size_g_[k * n_ + j] * reach[k];
-    }
+    add_columns(&size_y_[k * n_], load_[k], &size_g_[k * n_], reach[k], image_);
   }
   for (std::size_t j = 0; j < n_; ++j) image_[j] = raised(raised(image_[j]) + fixed_[j]);
 }

@@ -232,6 +232,7 @@ PathSegment Endgame::turn_to_circles(PathSystem& path) {
   watched_at_ = endgame_start_;
   watched_radius_ = radius_;
   phase_ = Phase::first_approach;
+  // Others of its cycle may have been seen last farther out, and wait for it there.
   return approach(std::max(common_radius(radius_), options_.ends.creeping_radius));
 }
 

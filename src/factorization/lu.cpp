@@ -7,13 +7,22 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 #include "moivre/numeric/unit_scale.h"
 
 namespace moivre {
 
-Lu::Lu(std::size_t n) : n_(n), a_(n * n), row_scale_(n, 1.0), pivot_(n), reciprocal_(n), work_(n) {}
+Lu::Lu(std::size_t n)
+    : n_(n),
+      a_(n * n),
+      begin_(n),
+      end_(n),
+      row_scale_(n, 1.0),
+      pivot_(n),
+      reciprocal_(n),
+      work_(n) {}
 
 namespace {
 
@@ -118,7 +127,19 @@ bool Lu::factor(std::span<const double> weights) noexcept {
       }
     }
   }
+  find_zeros();
   return true;
+}
+
+/// At the outer ends of rows, which solves pass over: what they add is nothing.
+void Lu::find_zeros() noexcept {
+  for (std::size_t i = 0; i < n_; ++i) {
+    const Complex* const row = &a_[i * n_];
+    begin_[i] = 0;
+    while (begin_[i] < i && row[begin_[i]] == 0.0) ++begin_[i];
+    end_[i] = n_;
+    while (end_[i] > i + 1 && row[end_[i] - 1] == 0.0) --end_[i];
+  }
 }
 
 void Lu::solve(std::span<Complex> b) noexcept {
@@ -129,13 +150,41 @@ void Lu::solve(std::span<Complex> b) noexcept {
   while (first < n_ && b[first] == Complex(0)) ++first;
   for (std::size_t i = first + 1; i < n_; ++i) {
     Complex sum = b[i];
-    for (std::size_t j = first; j < i; ++j) sum -= product(a_[i * n_ + j], b[j]);
+    for (std::size_t j = std::max(first, begin_[i]); j < i; ++j) {
+      sum -= product(a_[i * n_ + j], b[j]);
+    }
     b[i] = sum;
   }
   for (std::size_t i = n_; i-- > 0;) {
     Complex sum = b[i];
-    for (std::size_t j = i + 1; j < n_; ++j) sum -= product(a_[i * n_ + j], b[j]);
+    for (std::size_t j = i + 1; j < end_[i]; ++j) sum -= product(a_[i * n_ + j], b[j]);
     b[i] = product(sum, reciprocal_[i]);
+  }
+}
+
+// All columns together, row by row of the inverse.
+void Lu::invert(std::span<Complex> columns) {
+  rows_.assign(n_ * n_, Complex(0));
+  // Row k of P R has its one number where row k came from.
+  source_.resize(n_);
+  std::iota(source_.begin(), source_.end(), std::size_t{0});
+  for (std::size_t k = 0; k < n_; ++k) std::swap(source_[k], source_[pivot_[k]]);
+  for (std::size_t i = 0; i < n_; ++i) {
+    Complex* const row = &rows_[i * n_];
+    row[source_[i]] = row_scale_[source_[i]];
+    for (std::size_t j = begin_[i]; j < i; ++j) {
+      const Complex l = a_[i * n_ + j];
+      if (l != 0.0) eliminate_row(row, &rows_[j * n_], l, 0, n_);
+    }
+  }
+  for (std::size_t i = n_; i-- > 0;) {
+    Complex* const row = &rows_[i * n_];
+    for (std::size_t j = i + 1; j < end_[i]; ++j) {
+      const Complex u = a_[i * n_ + j];
+      if (u != 0.0) eliminate_row(row, &rows_[j * n_], u, 0, n_);
+    }
+    for (std::size_t k = 0; k < n_; ++k)
+      columns[k * n_ + i] = row[k] = product(row[k], reciprocal_[i]);
   }
 }
 

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Numbers as text, by std::to_chars where every digit counts and by printf where columns do.
+// Numbers as text, all by std::to_chars: as printf writes them, several times as fast.
 #include "moivre/report/number_text.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace moivre {
 namespace {
@@ -15,10 +14,24 @@ constexpr std::size_t kNumberLength = 40;
 // A double holds no more significant digits than these.
 constexpr int kMostDigits = 17;
 
-std::string formatted(const char* format, int digits, double x) {
+/// printf's %.*g and %.*e.
+std::string formatted(double x, std::chars_format format, int digits) {
   char text[kNumberLength];
-  const int length = std::snprintf(text, sizeof text, format, digits, x);
-  return std::string(text, static_cast<std::size_t>(length));
+  const auto end = std::to_chars(text, text + sizeof text, x, format, digits);
+  return std::string(text, end.ptr);
+}
+
+std::string general(double x, int digits) {
+  return formatted(x, std::chars_format::general, digits);
+}
+
+/// printf's % .*E: a sign or a blank, the exponent's letter a capital.
+std::string phc_number(double x) {
+  std::string text = formatted(x, std::chars_format::scientific, kMostDigits - 1);
+  if (!std::signbit(x)) text.insert(text.begin(), ' ');
+  const std::size_t exponent = text.find('e');
+  if (exponent != std::string::npos) text[exponent] = 'E';
+  return text;
 }
 
 int decimal_exponent(double x) { return static_cast<int>(std::floor(std::log10(x))); }
@@ -40,7 +53,7 @@ std::string known_digits(double x, double error) {
     // The last digit's unit is the least power of ten that is not below the error.
     digits = decimal_exponent(std::abs(x)) - static_cast<int>(std::ceil(std::log10(error))) + 1;
   }
-  return formatted("%.*g", std::clamp(digits, 1, kMostDigits), x);
+  return general(x, std::clamp(digits, 1, kMostDigits));
 }
 
 std::string known_digits(Complex x, double error) {
@@ -50,13 +63,10 @@ std::string known_digits(Complex x, double error) {
   return re + (x.imag() < 0 ? " - " : " + ") + im + " i";
 }
 
-std::string short_text(double x, int digits) { return formatted("%.*g", digits, x); }
+std::string short_text(double x, int digits) { return general(x, digits); }
 
-std::string rough_text(double x) { return std::isfinite(x) ? formatted("%.*g", 2, x) : "unknown"; }
+std::string rough_text(double x) { return std::isfinite(x) ? general(x, 2) : "unknown"; }
 
-std::string phc_text(Complex x) {
-  return formatted("% .*E", kMostDigits - 1, x.real()) + "  " +
-         formatted("% .*E", kMostDigits - 1, x.imag());
-}
+std::string phc_text(Complex x) { return phc_number(x.real()) + "  " + phc_number(x.imag()); }
 
 }  // namespace moivre

@@ -230,7 +230,8 @@ TEST(CyclicNine, HasAllItsRootsAndEveryPathIsDecided) {
 }
 
 // Winding numbers of nine and more: all circles are near singular points, where Newton's method
-// refuses what CVODE's tolerance allows. Each took it 10000 steps and more, and failed.
+// refuses what CVODE's tolerance allows. Each took it 10000 steps and more, and failed. Alone; in a
+// run their cycles share them.
 TEST(CyclicNine, PathsToInfinityTakeCvodeFewSteps) {
   const std::atomic<bool> go_on{false};
   const System f = cyclic(9);
@@ -238,7 +239,7 @@ TEST(CyclicNine, PathsToInfinityTakeCvodeFewSteps) {
   for (const std::uint64_t path : {37U, 67U, 191U, 218U, 276U, 319U, 363U, 507U, 516U, 567U}) {
     const Trace trace = trace_path(f, *tracker, test::with_seed(1), path, go_on);
     EXPECT_EQ(trace.end.status, PathStatus::at_infinity) << path;
-    EXPECT_LT(trace.end.count.accepted, 4000U) << path;
+    EXPECT_LT(trace.end.count.accepted, 4500U) << path;
   }
 }
 

@@ -37,6 +37,9 @@ class Lu {
   /// b <- J^{-1} b.
   void solve(std::span<Complex> b) noexcept;
 
+  /// columns <- J^{-1}, n x n, one column after another: as n solves give it, faster.
+  void invert(std::span<Complex> columns);
+
   /// b <- J^{-H} b, the conjugate transpose's solve (for the condition estimate).
   void solve_adjoint(std::span<Complex> b) noexcept;
 
@@ -51,16 +54,21 @@ class Lu {
   bool is_singular() const noexcept { return singular_; }
 
  private:
+  void find_zeros() noexcept;
   double norm_of_inverse(bool row_scaled) noexcept;
 
   std::size_t n_;
   std::vector<Complex> a_;           // n x n, L below the diagonal (unit), U on and above
+  std::vector<std::size_t> begin_;   // of what is not zero in a row of L
+  std::vector<std::size_t> end_;     // of what is not zero in a row of U
   std::vector<double> row_scale_;    // r_i
   std::vector<std::size_t> pivot_;   // row exchanged with k at step k
   std::vector<Complex> reciprocal_;  // 1/U_kk
   std::vector<Complex> work_;
-  double norm_ = 0;         // |J|_inf
-  double scaled_norm_ = 0;  // |R J|_inf
+  std::vector<Complex> rows_;        // of the inverse; empty until it is asked for
+  std::vector<std::size_t> source_;  // of row k after all exchanges; empty until then
+  double norm_ = 0;                  // |J|_inf
+  double scaled_norm_ = 0;           // |R J|_inf
   bool singular_ = true;
 };
 
