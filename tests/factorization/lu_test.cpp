@@ -7,6 +7,8 @@
 
 #include <limits>
 #include <random>
+#include <span>
+#include <vector>
 
 #include "moivre/factorization/qr.h"
 
@@ -117,6 +119,31 @@ TEST(Lu, ZerosOfLargeMatricesChangeNothing) {
       EXPECT_LT((solve(lu, a * x) - x).norm(), 1e-10 * x.norm()) << n << ' ' << apart;
       const Vector last = Vector::Unit(n, n - 1);
       EXPECT_LT((a * solve(lu, last) - last).norm(), 1e-10) << n << ' ' << apart;
+    }
+  }
+}
+
+// Bit for bit: zeros, of which a third and then two thirds of the matrix are made, are passed over.
+TEST(Lu, InvertsAsSolvesOfUnitVectorsDo) {
+  RandomMatrices random;
+  for (std::size_t n = 0; n <= 24; ++n) {
+    for (const std::size_t kept : {3U, 2U, 1U}) {
+      SCOPED_TRACE(n);
+      Lu lu(n);
+      const std::span<Complex> a = lu.matrix();
+      for (std::size_t k = 0; k < n * n; ++k) {
+        const bool stays = (k * 7 + k / 5) % 3 < kept || k / n == k % n;
+        a[k] = stays ? random.number() : Complex(0);
+      }
+      if (!lu.factor()) continue;
+      std::vector<Complex> inverse(n * n);
+      lu.invert(inverse);
+      for (std::size_t k = 0; k < n; ++k) {
+        std::vector<Complex> column(n);
+        column[k] = 1;
+        lu.solve(column);
+        for (std::size_t j = 0; j < n; ++j) EXPECT_EQ(inverse[k * n + j], column[j]) << k << j;
+      }
     }
   }
 }

@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cmath>
+#include <cstdio>
 #include <limits>
+#include <random>
 
 namespace moivre::test {
 namespace {
@@ -34,6 +38,20 @@ TEST(KnownDigits, SayUnknownForWhatIsNotANumber) {
 TEST(KnownDigits, LeaveOutAnImaginaryPartThatIsNotThere) {
   EXPECT_EQ(known_digits(Complex(1, 1e-12), 1e-8), "1");
   EXPECT_EQ(known_digits(Complex(1, -0.5), 1e-8), "1 - 0.5 i");
+}
+
+TEST(Numbers, AreWrittenAsPrintfWritesThem) {
+  std::mt19937_64 random(7);
+  for (int k = 0; k < 2000; ++k) {
+    const double x = std::bit_cast<double>(random());
+    const double y = k % 7 == 0 ? 0.0 : std::ldexp(static_cast<double>(random() % 1000), k % 60);
+    if (!std::isfinite(x)) continue;
+    char text[128];
+    std::snprintf(text, sizeof text, "%.*g", 1 + k % 17, x);
+    EXPECT_EQ(short_text(x, 1 + k % 17), text);
+    std::snprintf(text, sizeof text, "% .16E  % .16E", y, x);
+    EXPECT_EQ(phc_text({y, x}), text);
+  }
 }
 
 TEST(ExactText, ReadsBackAsTheSameDouble) {
