@@ -24,7 +24,7 @@ namespace {
 constexpr std::uint64_t kTriesPerRoot = 2;
 constexpr std::uint64_t kMostFound = 12;
 // A multiple root keeps every precision busy; two that are proved distinct differ in this one.
-constexpr int kClusterBits = 2 * kFirstArbBits;
+constexpr int kClusterBits = 4 * kFirstArbBits;
 // Beyond this a disc says nothing of where a root is.
 constexpr double kWidestDisc = 1e-2;
 // The prime of the ring is another one than the solver's; ten seconds at most.
@@ -142,16 +142,15 @@ void judge_cluster(Bench& bench, Certifier& certifier, RingMultiplicities& multi
                                    counted(m, "root") + " proved within " + rough(entry.reach),
                                number);
   }
-  if (regular > 0 && (regular < m || m == 1)) {
+  // No other entry lists them: else they would be a cluster.
+  if (regular > 0) {
     return verdicts.refute(ClaimKind::multiplicity,
                            counted(regular, "root") + " of multiplicity 1 proved within " +
                                rough(entry.reach) + ", a singular one of multiplicity " +
                                std::to_string(m) + " is claimed",
                            number);
   }
-  verdicts.leave_open(ClaimKind::multiplicity,
-                      regular > 0 ? "as many regular roots are proved within its accuracy"
-                                  : "a singular root and its multiplicity are numerical",
+  verdicts.leave_open(ClaimKind::multiplicity, "a singular root and its multiplicity are numerical",
                       number);
 }
 

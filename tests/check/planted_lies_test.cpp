@@ -263,6 +263,15 @@ const Lie kLies[] = {
        r["bound"] = nullptr;
      },
      ClaimKind::multiplicity, 1},
+    {"two roots 1e-31 apart called a double one known to 1e-7", "pairs-256",
+     [](Json& r) {
+       r["solutions"].erase(4);
+       root(r, 1).update({{"multiplicity", 2}, {"singular", true}, {"winding", {2}}});
+       root(r, 1).update({{"certified", false}, {"accuracy", 1.1e-7}});
+       r["completeness"] = "shown";
+       r["bound"] = nullptr;
+     },
+     ClaimKind::multiplicity, 1},
     {"a bound of another value", "near-pairs", [](Json& r) { raise(r["bound"]["value"]); },
      ClaimKind::bound},
     {"a bound of another kind", "near-pairs", [](Json& r) { r["bound"]["kind"] = "elimination"; },
