@@ -150,8 +150,9 @@ void judge_cluster(Bench& bench, Certifier& certifier, RingMultiplicities& multi
                                std::to_string(m) + " is claimed",
                            number);
   }
-  verdicts.leave_open(ClaimKind::multiplicity, "a singular root and its multiplicity are numerical",
-                      number);
+  // What is not said to be a cluster is said to be proved.
+  verdicts.leave_proof_open(ClaimKind::multiplicity,
+                            "a singular root and its multiplicity are numerical", number);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "moivre/certify/certifier.h"
 #include "moivre/polynomial/read.h"
@@ -110,6 +111,27 @@ TEST(CheckConditions, AClusterIsNotTakenForTheExactRootInIt) {
   EXPECT_EQ(inequalities(check(f, claims))->open, 1U);
   claims.roots[0].cluster = false;
   EXPECT_EQ(inequalities(check(f, claims))->holds, 1U);
+}
+
+// Two double roots 7e-9 apart, beside a line: neither exact algebra nor a certificate tells them.
+TEST(CheckMultiplicities, ThatAreNoClustersAreClaimsOfAProof) {
+  const System f =
+      read_system({"f", "(x - y - 5)*((x^2 - 2)^2 - 1/10^16); (x - y - 5)*(y^2 - 3)^2*(x + 7);"});
+  Claims claims;
+  claims.system = SystemClaim{{"x", "y"}, {5, 6}, 30};
+  RootClaim root;
+  root.path = 0;
+  root.x = {std::sqrt(2.0), std::sqrt(3.0)};
+  root.real = root.singular = true;
+  root.multiplicity = 4;
+  root.accuracy = 3e-8;
+  for (const bool is_cluster : {true, false}) {
+    root.cluster = is_cluster;
+    claims.roots = {root};
+    const Judgement judgement = check(f, claims);
+    EXPECT_TRUE(judgement.holds()) << lines(judgement.refuted);
+    EXPECT_EQ(judgement.proofs_hold(), is_cluster);
+  }
 }
 
 TEST(CheckConditions, OfTwoRootsAtOneDoubleTheExactOneIsNotTakenForTheOther) {

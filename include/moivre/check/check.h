@@ -9,8 +9,9 @@
 //                 (moivre/polynomial/exclusion.h)
 //   distinct      no two entries are one root
 //   real          roots called real are real, roots called not real are not
-//   multiplicity  open at a singular root, which is numerical; refuted where regular roots are
-//                 proved beside it, or none is near
+//   multiplicity  of a singular root: holds where exact algebra counts it, or a cluster's roots are
+//                 proved; refuted where regular roots are proved that no other entry lists, or none
+//                 is near; else open, a claim of proof but for a cluster's
 //   residual, condition   recomputed
 //   system, reduced, start, paths, complete   facts and sums; the conjugate of a root of a real
 //                                             system is a root
