@@ -76,7 +76,7 @@ struct EndgameOptions {
   bool only_regular = false;  ///< an end that is not regular is a failure: no circle is tried
   /// So many within the creeping radius tell creeping from a step that chanced to end there.
   int creeping_steps = 3;
-  bool may_wait = false;   ///< for other paths of its cycle, after the first turn
+  bool may_wait = false;   ///< for other paths of its cycle, after each turn
   bool goes_back = false;  ///< from an end that circles have told: PathEnd::sheet
   EndParameters ends;
 };
