@@ -161,6 +161,9 @@ void Endgame::arrive_back(SegmentResult&& reached) {
 }
 
 void Endgame::deliver_end() {
+  const bool may_be_taken_up =
+      end_.status == PathStatus::failed && (options_.only_regular || are_steps_spent());
+  if (!may_be_taken_up) end_.endgame_start.reset();
   if (end_.x.empty()) return;
   end_.size = 1 / chart_.finiteness(end_.x);
   end_.x = outside(frame_, std::move(end_.x));
@@ -229,8 +232,8 @@ PathSegment Endgame::take_up(const EndgameStart& endgame_start, PathSystem& path
 
 PathSegment Endgame::turn_to_circles(PathSystem& path) {
   polish_endgame_start(path);
-  watched_at_ = endgame_start_;
-  watched_radius_ = radius_;
+  end_.endgame_start = {endgame_start_, radius_, frame_};
+  steps_of_way_ = end_.count.accepted;
   phase_ = Phase::first_approach;
   // Others of its cycle may have been seen last farther out, and wait for it there.
   return approach(std::max(common_radius(radius_), options_.ends.creeping_radius));
@@ -245,7 +248,8 @@ void Endgame::polish_endgame_start(PathSystem& path) {
 }
 
 bool Endgame::may_look_again() const {
-  return end_.failure == Failure::precision && frame_ && !looks_again_ && !watched_at_.empty();
+  return end_.failure == Failure::precision && frame_ && !looks_again_ && end_.endgame_start &&
+         !options_.only_regular;
 }
 
 // A path may have gone far since it set out: in the units of the point from where its end was
@@ -255,11 +259,11 @@ std::optional<PathSegment> Endgame::look_again(PathSystem& path) {
   end_.failure.reset();
   last_.reset();
   best_.reset();
-  const Point endgame_start = outside(frame_, watched_at_);
+  const Point endgame_start = outside(end_.endgame_start->frame, end_.endgame_start->x);
   frame_ = std::make_shared<const PathFrame>(frame_at(path.homotopy(), endgame_start));
   path.set_frame(frame_.get());
   endgame_start_ = inside(frame_, endgame_start);
-  radius_ = watched_radius_;
+  radius_ = end_.endgame_start->radius;
   return begin_circle();
 }
 
@@ -303,6 +307,10 @@ std::optional<PathSegment> Endgame::begin_circle() {
   return walk_turn(endgame_start_);
 }
 
+bool Endgame::are_steps_spent() const {
+  return end_.count.accepted > steps_of_way_ + options_.ends.maximum_steps;
+}
+
 bool Endgame::may_wait() const {
   return options_.may_wait && radius_ == next_radius_ && !looks_again_;
 }
@@ -312,10 +320,7 @@ std::optional<PathSegment> Endgame::next_turn(SegmentResult&& reached, PathSyste
   ++turns_;
   for (Point& sample : reached.samples) samples_.push_back(normalized(std::move(sample)));
   if (difference(samples_.back(), turn_begin_) < options_.ends.agreement) return estimate_end(path);
-  if (turns_ >= options_.ends.maximum_winding ||
-      end_.count.accepted > options_.ends.maximum_steps) {
-    return shrink(path);
-  }
+  if (turns_ >= options_.ends.maximum_winding || are_steps_spent()) return shrink(path);
   if (!may_wait()) return walk_turn(std::move(reached.x));
   waits_ = true;
   turn_end_ = std::move(reached.x);
@@ -523,9 +528,7 @@ std::optional<PathSegment> Endgame::estimate_end(PathSystem& path) {
 
 std::optional<PathSegment> Endgame::shrink(PathSystem& path) {
   const double smaller = radius_ / options_.ends.shrink;
-  if (smaller < options_.ends.least_radius || end_.count.accepted > options_.ends.maximum_steps) {
-    return conclude(path);
-  }
+  if (smaller < options_.ends.least_radius || are_steps_spent()) return conclude(path);
   phase_ = Phase::approach;
   return approach(smaller);
 }

@@ -14,12 +14,13 @@ std::string Endgame::bytes_of_waiting() const {
   put_frame(bytes, frame_);
   bytes.put(phase_);
   bytes.put(creeping_);
-  for (const double number : {radius_, next_radius_, watched_radius_, best_difference_}) {
+  bytes.put(steps_of_way_);
+  for (const double number : {radius_, next_radius_, best_difference_}) {
     bytes.put(number);
   }
   bytes.put(looks_again_);
   bytes.put(turns_);
-  for (const Point* point : {&endgame_start_, &watched_at_, &patch_, &turn_begin_, &turn_end_}) {
+  for (const Point* point : {&endgame_start_, &patch_, &turn_begin_, &turn_end_}) {
     bytes.put(*point);
   }
   bytes.put(static_cast<std::uint64_t>(samples_.size()));
@@ -38,12 +39,13 @@ void Endgame::wait_as(std::string_view text, PathEnd end) {
   frame_ = get_frame(bytes);
   phase_ = bytes.get<Phase>();
   creeping_ = bytes.get<int>();
-  for (double* number : {&radius_, &next_radius_, &watched_radius_, &best_difference_}) {
+  steps_of_way_ = bytes.get<std::uint64_t>();
+  for (double* number : {&radius_, &next_radius_, &best_difference_}) {
     *number = bytes.get<double>();
   }
   looks_again_ = bytes.get<bool>();
   turns_ = bytes.get<int>();
-  for (Point* point : {&endgame_start_, &watched_at_, &patch_, &turn_begin_, &turn_end_}) {
+  for (Point* point : {&endgame_start_, &patch_, &turn_begin_, &turn_end_}) {
     *point = bytes.get_vector<Complex>();
   }
   samples_.clear();

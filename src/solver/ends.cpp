@@ -141,8 +141,7 @@ bool is_known_singular(const Root& root) {
 /// More effort may find its end.
 bool has_to_wait(const Run& run, const PathEnd& end) {
   if (end.failure != Failure::precision || run.effort == Effort::all_steps) return false;
-  return run.effort == Effort::regular_ends ||
-         end.count.accepted > endgame_for(run.setting, run.effort).ends.maximum_steps;
+  return run.effort == Effort::regular_ends || end.endgame_start;
 }
 
 /// Of a path that failed on the last stage; empty elsewhere.

@@ -74,8 +74,8 @@ struct PathEnd {
   /// it has not.
   Point sheet;
   StepCount count;
-  std::optional<EndgameStart>
-      endgame_start;         ///< where only regular ends were sought, and it has none
+  /// Of a failed path: where only regular ends were sought, or its steps near t = 1 are spent.
+  std::optional<EndgameStart> endgame_start;
   bool is_taken_up = false;  ///< from a start of the endgame: `count` is of the rest of the way
 };
 
@@ -151,6 +151,7 @@ class Endgame : public Watcher {
   std::optional<PathSegment> begin_circle();
   Contour circle() const;
   PathSegment walk_turn(Point x);
+  bool are_steps_spent() const;
   bool may_wait() const;
   std::optional<PathSegment> next_turn(SegmentResult&& reached, PathSystem& path);
   std::optional<PathSegment> shrink(PathSystem& path);
@@ -189,10 +190,8 @@ class Endgame : public Watcher {
   double radius_ = 0;       ///< its |1 - t|
   double next_radius_ = 0;  ///< of the circle that is approached
 
-  // Where circles began, and whether they are repeated from there.
-  Point watched_at_;
-  double watched_radius_ = 0;
-  bool looks_again_ = false;
+  std::uint64_t steps_of_way_ = 0;  ///< accepted before circles began
+  bool looks_again_ = false;        ///< circles are repeated from where they began
 
   // Circles.
   Point patch_;       // affine patch of the circle's samples
