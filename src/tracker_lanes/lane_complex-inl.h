@@ -46,6 +46,7 @@ HWY_INLINE V operator-(V a) { return hn::Neg(a); }
 HWY_INLINE V multiply_add(V a, V b, V c) { return hn::MulAdd(a, b, c); }
 HWY_INLINE V subtract_multiply(V a, V b, V c) { return hn::NegMulAdd(a, b, c); }
 HWY_INLINE V larger(V a, V b) { return hn::Max(a, b); }
+HWY_INLINE V smaller(V a, V b) { return hn::Min(a, b); }
 HWY_INLINE V square_root(V a) { return hn::Sqrt(a); }
 HWY_INLINE bool is_nowhere(Mask mask) { return hn::AllFalse(Tag(), mask); }
 HWY_INLINE bool is_everywhere(Mask mask) { return hn::AllTrue(Tag(), mask); }

@@ -20,6 +20,7 @@
 #endif
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "lane_complex-inl.h"
@@ -44,13 +45,19 @@ class LaneLu {
 
   void factor() {
     exchanges_.clear();
+    V least = broadcast(std::numeric_limits<double>::max());
     for (std::size_t k = 0; k < n_; ++k) {
       exchange_rows(k);
+      least = smaller(squared_magnitude(load(at(k, k))), least);
       const LaneComplex<R> inverse = reciprocal(load(at(k, k)));
       store(inverse, reciprocal_[k]);
       eliminate_below(k, inverse);
     }
+    store_real(least, least_squared_pivot_.at);
   }
+
+  /// Of the last factor(), in each lane; where it underflows the solutions are lost.
+  V least_squared_pivot() const { return least_squared_pivot_.value(); }
 
   /// x, y <- J^{-1} b for the two appended right-hand sides.
   void solve_appended(LaneVector<R>& x, LaneVector<R>& y) {
@@ -208,8 +215,9 @@ class LaneLu {
 
   std::size_t n_;
   std::size_t columns_;
-  LaneVector<R> a_;                  // n x (n + 2), L below the diagonal (unit), U on and above
-  LaneVector<R> reciprocal_;         // 1/U_kk
+  LaneVector<R> a_;           // n x (n + 2), L below the diagonal (unit), U on and above
+  LaneVector<R> reciprocal_;  // 1/U_kk
+  LaneReals least_squared_pivot_;
   LaneVector<V> masks_;              // of the exchanges made
   std::vector<Exchange> exchanges_;  // in their order
 };

@@ -10,8 +10,9 @@
 //
 // A step of length 0 is a Newton correction of the point at hand. |.|_w as in
 // tracker/path_system.h, at x_p.
-// An equation of degree d at a point of norm 1 in N coordinates may be as small as N^(-d/2): of
-// those whose rows double could then not square, each row is brought to about 1 by a power of two.
+// An equation of degree d at a point of norm 1 in N coordinates may be as small as N^(-d/2), and
+// smaller where the path goes far: a row that double could not square is brought to about 1, in its
+// lane alone, by a power of two. Such rows are expected of high degrees; else a pivot tells them.
 #if defined(MOIVRE_LANE_STEP_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef MOIVRE_LANE_STEP_INL_H_
 #undef MOIVRE_LANE_STEP_INL_H_
@@ -32,7 +33,7 @@ namespace moivre {
 namespace HWY_NAMESPACE {
 
 /// log2 of a size whose square, and a little less, is a normal double.
-inline constexpr double kLeastSquaredLog2 = -480;
+inline constexpr int kLeastSquaredLog2 = -480;
 
 template <class R>
 class LaneStep {
@@ -46,13 +47,12 @@ class LaneStep {
         h_(n_ + 1),
         ht_(n_ + 1),
         weights_(n_ + 1),
+        scales_(n_),
         corrected(n_ + 1),
         tangent(n_ + 1) {
-    const std::vector<std::uint64_t> degree = degrees(homotopy.support());
     const double size_log2 = -0.5 * std::log2(static_cast<double>(n_ + 1));
-    for (std::size_t i = 0; i < n_; ++i) {
-      const bool is_small = static_cast<double>(degree[i]) * size_log2 < kLeastSquaredLog2;
-      if (is_small) small_rows_.push_back({i, {}});
+    for (const std::uint64_t degree : degrees(homotopy.support())) {
+      if (static_cast<double>(degree) * size_log2 < kLeastSquaredLog2) expects_small_rows_ = true;
     }
   }
 
@@ -65,17 +65,15 @@ class LaneStep {
     LaneVector<R>& x = corrected;
     path.predict(h.value(), x);
     homotopy_.move(time);
-    homotopy_.linearize(x, time, h_, lu_, ht_);
-    measure_residual();
-    for (SmallRow& row : small_rows_) bring_to_one(row);
-    append_patch(path, time);
-    lu_.factor();
+    factor_at(x, path, time, expects_small_rows_);
+    const bool has_small_rows = expects_small_rows_ || has_small_pivot();
+    if (has_small_rows != expects_small_rows_) factor_at(x, path, time, true);
     find_weights(x);
     lu_.solve_appended(h_, tangent);
     store_real(weighted(h_), first.at);
     add(h_, x);
     homotopy_.expand(x, tangent, time, h_, ht_);
-    for (const SmallRow& row : small_rows_) bring_sides_to_one(row);
+    if (has_small_rows) scale_sides();
     negate(h_);
     negate(ht_);
     lu_.solve(h_, ht_);
@@ -102,28 +100,42 @@ class LaneStep {
   }
 
  private:
-  struct SmallRow {
-    std::size_t i;
-    LaneReals scale;
-  };
-
-  void bring_to_one(SmallRow& row) {
-    V largest = zeros();
-    for (std::size_t j = 0; j <= n_; ++j) {
-      const LaneComplex<R> a = load(lu_.at(row.i, j));
-      largest = larger(largest, larger(hn::Abs(rounded(a.re)), hn::Abs(rounded(a.im))));
-    }
-    store_real(largest, row.scale.at);
-    for (double& lane : row.scale.at) lane = power_of_two_scale(lane);
-    for (std::size_t j = 0; j <= n_; ++j) {
-      LaneCell<R>& a = lu_.at(row.i, j);
-      store(row.scale.value() * load(a), a);
-    }
-    bring_sides_to_one(row);
+  /// J at x, factored, and its right-hand sides.
+  void factor_at(const LaneVector<R>& x, const LanePath<R>& path, const LaneTime<R>& time,
+                 bool scales_rows) {
+    homotopy_.linearize(x, time, h_, lu_, ht_);
+    measure_residual();
+    if (scales_rows) scale_rows();
+    append_patch(path, time);
+    lu_.factor();
   }
-  void bring_sides_to_one(const SmallRow& row) {
-    store(row.scale.value() * load(h_[row.i]), h_[row.i]);
-    store(row.scale.value() * load(ht_[row.i]), ht_[row.i]);
+
+  bool has_small_pivot() const {
+    const double least = std::ldexp(1.0, 2 * kLeastSquaredLog2);
+    return !is_nowhere(lu_.least_squared_pivot() < broadcast(least));
+  }
+
+  void scale_rows() {
+    const double least = std::ldexp(1.0, kLeastSquaredLog2);
+    for (std::size_t i = 0; i < n_; ++i) {
+      V largest = zeros();
+      for (std::size_t j = 0; j <= n_; ++j) {
+        const LaneComplex<R> a = load(lu_.at(i, j));
+        largest = larger(largest, larger(hn::Abs(rounded(a.re)), hn::Abs(rounded(a.im))));
+      }
+      store_real(largest, scales_[i].at);
+      for (double& lane : scales_[i].at) lane = lane < least ? power_of_two_scale(lane) : 1;
+      for (std::size_t j = 0; j <= n_; ++j) {
+        store(scales_[i].value() * load(lu_.at(i, j)), lu_.at(i, j));
+      }
+    }
+    scale_sides();
+  }
+  void scale_sides() {
+    for (std::size_t i = 0; i < n_; ++i) {
+      store(scales_[i].value() * load(h_[i]), h_[i]);
+      store(scales_[i].value() * load(ht_[i]), ht_[i]);
+    }
   }
 
   void append_patch(const LanePath<R>& path, const LaneTime<R>& time) {
@@ -185,7 +197,8 @@ class LaneStep {
   LaneVector<R> h_;
   LaneVector<R> ht_;
   LaneVector<V> weights_;
-  std::vector<SmallRow> small_rows_;
+  bool expects_small_rows_ = false;
+  std::vector<LaneReals> scales_;  // of the rows
 
  public:
   LaneVector<R> corrected;  ///< x_2

@@ -243,6 +243,21 @@ TEST(CyclicNine, PathsToInfinityTakeCvodeFewSteps) {
   }
 }
 
+// Beyond a size of 1e4 a row of degree 40 is less than 1e-154, whose square is no double.
+TEST(DegreeForty, LanesSeeEachPathEndAtInfinity) {
+  const System f = test::read("3\nx^40 - (3*x-1)^2;\ny*(x+1) - 1;\nz*(x+2) - 1;\n");
+  SolveOptions options;
+  options.start = StartKind::total_degree;
+  options.every_path = true;
+  for (options.seed = 1; options.seed <= 3; ++options.seed) {
+    SCOPED_TRACE(options.seed);
+    const SolveResult result = solve(f, *make_lane_tracker(), options);
+    EXPECT_EQ(result.solutions.size(), 40U);
+    EXPECT_EQ(result.paths.at_infinity, 120U);
+    EXPECT_LT(result.paths.retracked, 40U);
+  }
+}
+
 /// The discretized H-equation: 2 n H_i - c H_i (1 + sum_j i/(i+j) H_j) - 2 n, j = 1..n-1
 /// [Chandrasekhar60].
 System chandra(int n) {
