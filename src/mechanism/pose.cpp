@@ -32,6 +32,7 @@ std::vector<Jet> jets_of(const Mechanism& mechanism, const VectorXd& q, const Ve
   require_numbers(mechanism, qdot, "q'");
   require_numbers(mechanism, qddot, "q''");
   std::vector<Jet> jets;
+  jets.reserve(static_cast<std::size_t>(q.size()));
   for (Eigen::Index k = 0; k < q.size(); ++k) jets.emplace_back(q[k], qdot[k], qddot[k]);
   return jets;
 }
