@@ -65,6 +65,7 @@ Change change_of(const char* name, T EndParameters::*member) {
 const std::vector<Change> kChanges = {
     change_of("watch_radius", &EndParameters::watch_radius),
     change_of("creeping_radius", &EndParameters::creeping_radius),
+    change_of("first_radius", &EndParameters::first_radius),
     change_of("least_radius", &EndParameters::least_radius),
     change_of("shrink", &EndParameters::shrink),
     change_of("samples", &EndParameters::samples),
@@ -75,6 +76,7 @@ const std::vector<Change> kChanges = {
     change_of("agreement", &EndParameters::agreement),
     change_of("regular_condition", &EndParameters::regular_condition),
     change_of("singular_condition", &EndParameters::singular_condition),
+    change_of("zero_sum", &EndParameters::zero_sum),
     change_of("beyond", &EndParameters::beyond),
     change_of("valuation_error", &EndParameters::valuation_error),
     change_of("fine_rounding", &EndParameters::fine_rounding)};

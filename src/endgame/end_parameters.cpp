@@ -11,12 +11,14 @@ namespace moivre {
 std::vector<std::string> validate(const EndParameters& ends) {
   std::vector<std::string> broken = not_positive({{"watch_radius", ends.watch_radius},
                                                   {"creeping_radius", ends.creeping_radius},
+                                                  {"first_radius", ends.first_radius},
                                                   {"least_radius", ends.least_radius},
                                                   {"rounding", ends.rounding},
                                                   {"sample_error", ends.sample_error},
                                                   {"agreement", ends.agreement},
                                                   {"regular_condition", ends.regular_condition},
                                                   {"singular_condition", ends.singular_condition},
+                                                  {"zero_sum", ends.zero_sum},
                                                   {"beyond", ends.beyond},
                                                   {"valuation_error", ends.valuation_error},
                                                   {"fine_rounding", ends.fine_rounding}});

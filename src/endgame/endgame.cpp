@@ -116,7 +116,7 @@ PathSegment Endgame::along(const Contour& contour, Point x, int samples, Watcher
 Watcher::Verdict Endgame::watch(const StepRecord& step, PathSystem&) {
   const double radius = std::abs(step.t.rest);
   if (radius > options_.ends.watch_radius || radius == 0) return Verdict::go_on;
-  if (endgame_start_.empty() || radius > options_.ends.creeping_radius / options_.ends.shrink) {
+  if (endgame_start_.empty() || radius > options_.ends.first_radius / options_.ends.shrink) {
     endgame_start_.assign(step.x.begin(), step.x.end());
     radius_ = radius;
   }
@@ -236,7 +236,7 @@ PathSegment Endgame::turn_to_circles(PathSystem& path) {
   steps_of_way_ = end_.count.accepted;
   phase_ = Phase::first_approach;
   // Others of its cycle may have been seen last farther out, and wait for it there.
-  return approach(std::max(common_radius(radius_), options_.ends.creeping_radius));
+  return approach(std::max(common_radius(radius_), options_.ends.first_radius));
 }
 
 // A tracker that has t = 1 in view passes points of the way as near to the path as it needs for
@@ -279,7 +279,7 @@ Point Endgame::normalized(Point x) const {
 
 // The least of the radii that all paths have in common that is no smaller than this one.
 double Endgame::common_radius(double radius) const {
-  const double last = options_.ends.creeping_radius / options_.ends.shrink;
+  const double last = options_.ends.first_radius / options_.ends.shrink;
   const double steps = std::log(radius / last) / std::log(options_.ends.shrink);
   return last * std::pow(options_.ends.shrink, std::ceil(steps));
 }
@@ -430,7 +430,7 @@ bool Endgame::errors_explain(PathSystem& path) const {
       changes_of_x0(path, frame_.get(), circle(), static_cast<std::size_t>(options_.ends.samples),
                     samples_, patch_);
   const SumsAndErrors sums = sums_and_errors(samples_of_x0(), turns_, 0, options_.ends, changes);
-  return sums.sum <= options_.ends.shrink && sums.error <= options_.ends.sample_error;
+  return sums.sum <= options_.ends.zero_sum && sums.error <= options_.ends.sample_error;
 }
 
 // A large finite root with the same face is told by the errors of the samples. Where these leave a
@@ -442,7 +442,7 @@ FaceRoot Endgame::confirmed(FaceRoot place, PathSystem& path) {
     // u times the operations of as many residuals.
     const double rounding = options_.ends.samples * options_.ends.rounding;
     const SumsAndErrors first = measured();
-    if (first.sum <= options_.ends.shrink && first.error * std::max(first.sum, 1.0) <= rounding) {
+    if (first.sum <= options_.ends.zero_sum && first.error * std::max(first.sum, 1.0) <= rounding) {
       return FaceRoot::exact;
     }
   }
@@ -450,7 +450,7 @@ FaceRoot Endgame::confirmed(FaceRoot place, PathSystem& path) {
   if (!options_.goes_straight && !polish_samples(path)) return FaceRoot::none;
   if (place == FaceRoot::exact) {
     const SumsAndErrors fine = measured();
-    if (fine.sum <= options_.ends.shrink && fine.error <= options_.ends.sample_error) {
+    if (fine.sum <= options_.ends.zero_sum && fine.error <= options_.ends.sample_error) {
       return FaceRoot::exact;
     }
   }

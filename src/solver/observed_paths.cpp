@@ -51,9 +51,10 @@ void add_endgame(FingerprintMaker& maker, const EndgameOptions& options) {
     maker.add(std::uint64_t{is_set});
   }
   for (const double number :
-       {ends.watch_radius, ends.creeping_radius, ends.least_radius, ends.shrink, ends.rounding,
-        ends.sample_error, ends.agreement, ends.regular_condition, ends.singular_condition,
-        ends.beyond, ends.valuation_error, ends.fine_rounding}) {
+       {ends.watch_radius, ends.creeping_radius, ends.first_radius, ends.least_radius, ends.shrink,
+        ends.rounding, ends.sample_error, ends.agreement, ends.regular_condition,
+        ends.singular_condition, ends.zero_sum, ends.beyond, ends.valuation_error,
+        ends.fine_rounding}) {
     maker.add(number);
   }
   for (const int number : {options.creeping_steps, ends.samples, ends.maximum_winding}) {

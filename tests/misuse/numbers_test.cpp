@@ -120,6 +120,7 @@ TEST(NumbersTest, OfEndsOfPathsAndTrackersAreFinite) {
   expect_only_finite({
       {"watch_radius", with_end(&EndParameters::watch_radius)},
       {"creeping_radius", with_end(&EndParameters::creeping_radius)},
+      {"first_radius", with_end(&EndParameters::first_radius)},
       {"least_radius", with_end(&EndParameters::least_radius)},
       {"shrink", with_end(&EndParameters::shrink)},
       {"rounding", with_end(&EndParameters::rounding)},
@@ -127,6 +128,7 @@ TEST(NumbersTest, OfEndsOfPathsAndTrackersAreFinite) {
       {"agreement", with_end(&EndParameters::agreement)},
       {"regular_condition", with_end(&EndParameters::regular_condition)},
       {"singular_condition", with_end(&EndParameters::singular_condition)},
+      {"zero_sum", with_end(&EndParameters::zero_sum)},
       {"beyond", with_end(&EndParameters::beyond)},
       {"valuation_error", with_end(&EndParameters::valuation_error)},
       {"fine_rounding", with_end(&EndParameters::fine_rounding)},

@@ -25,6 +25,9 @@ struct EndParameters {
   /// A path that still takes small steps here does not end at a regular point, to which it would
   /// have jumped.
   double creeping_radius = 1e-4;
+  /// No first circle is smaller: others of its cycle may have been seen last farther out, and all
+  /// radii are this one times a power of `shrink`.
+  double first_radius = 1e-4;
   /// No circle is smaller: s = r e^{i theta} moves the coefficients by r, of which this leaves two
   /// digits above u.
   double least_radius = 1e-14;
@@ -56,6 +59,8 @@ struct EndParameters {
   double singular_condition = 1e10;
 
   // Infinity.
+  /// A power sum that is no more than so many times its error is 0.
+  double zero_sum = 4;
   /// |x| of an end, in the units of the system, from which double does not tell it from infinity: 1
   /// / (10 sample_error).
   double beyond = 1e11;
