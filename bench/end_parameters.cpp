@@ -78,7 +78,10 @@ const std::vector<Change> kChanges = {
     change_of("singular_condition", &EndParameters::singular_condition),
     change_of("zero_sum", &EndParameters::zero_sum),
     change_of("beyond", &EndParameters::beyond),
+    change_of("known_size", &EndParameters::known_size),
     change_of("valuation_error", &EndParameters::valuation_error),
+    change_of("face_threshold", &EndParameters::face_threshold),
+    change_of("face_progress", &EndParameters::face_progress),
     change_of("fine_rounding", &EndParameters::fine_rounding)};
 
 std::vector<Judged> judged_systems(const Request& request) {

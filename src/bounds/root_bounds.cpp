@@ -114,12 +114,67 @@ std::string to_string(BoundKind kind) {
       return "Bezout";
     case BoundKind::multihomogeneous:
       return "multihomogeneous";
+    case BoundKind::mixed_volume:
+      return "mixed volume";
     case BoundKind::stable_mixed_volume:
       return "stable mixed volume";
     case BoundKind::quotient_ring:
       return "dimension of the quotient ring";
     case BoundKind::strata:
       return "mixed volume of the strata";
+  }
+  return "";
+}
+
+std::string name_in_results(BoundKind kind) {
+  switch (kind) {
+    case BoundKind::bezout:
+      return "total degree";
+    case BoundKind::multihomogeneous:
+      return "multihomogeneous number";
+    case BoundKind::elimination:
+    case BoundKind::mixed_volume:
+    case BoundKind::stable_mixed_volume:
+    case BoundKind::quotient_ring:
+    case BoundKind::strata:
+      break;
+  }
+  return to_string(kind);
+}
+
+std::optional<BoundKind> bound_named(const std::string& name) {
+  using enum BoundKind;
+  for (const BoundKind kind : {elimination, bezout, multihomogeneous, mixed_volume,
+                               stable_mixed_volume, quotient_ring, strata}) {
+    if (name_in_results(kind) == name) return kind;
+  }
+  return std::nullopt;
+}
+
+Certainty certainty_of(BoundKind kind) {
+  switch (kind) {
+    case BoundKind::elimination:
+    case BoundKind::bezout:
+    case BoundKind::multihomogeneous:
+      return Certainty::theorem;
+    case BoundKind::mixed_volume:
+    case BoundKind::stable_mixed_volume:
+    case BoundKind::strata:
+      return Certainty::two_liftings;
+    case BoundKind::quotient_ring:
+      break;
+  }
+  return Certainty::drawn_prime;
+}
+
+std::string to_string(Certainty certainty) {
+  switch (certainty) {
+    case Certainty::theorem:
+      return "theorem";
+    case Certainty::two_liftings:
+      return "two liftings";
+    case Certainty::drawn_prime:
+      return "drawn prime";
   }
   return "";
 }
@@ -167,6 +222,7 @@ RootBound root_bound(const System& f, BoundKind kind, const KnownRoots& known,
       return bezout(f);
     case BoundKind::multihomogeneous:
       return multihomogeneous(f);
+    case BoundKind::mixed_volume:
     case BoundKind::stable_mixed_volume:
       return stable_mixed_volume_bound(f, stop);
     case BoundKind::quotient_ring:

@@ -2,8 +2,6 @@
 // Is the bound that a result names met, and is it one? Its value beside the roots of the result,
 // and beside the bound of its kind.
 #include <algorithm>
-#include <array>
-#include <utility>
 
 #include "bench.h"
 #include "moivre/expression/counted.h"
@@ -12,19 +10,10 @@
 namespace moivre {
 namespace {
 
-/// As the solver calls them.
+/// As it is called here: a mixed volume of supports that have 0 all is a stable one.
 std::optional<BoundKind> kind_of(const std::string& name) {
-  static const std::array<std::pair<const char*, BoundKind>, 7> kNames{
-      {{"elimination", BoundKind::elimination},
-       {"total degree", BoundKind::bezout},
-       {"multihomogeneous number", BoundKind::multihomogeneous},
-       {"mixed volume", BoundKind::stable_mixed_volume},
-       {"stable mixed volume", BoundKind::stable_mixed_volume},
-       {"dimension of the quotient ring", BoundKind::quotient_ring},
-       {"mixed volume of the strata", BoundKind::strata}}};
-  const auto found = std::find_if(kNames.begin(), kNames.end(),
-                                  [&](const auto& entry) { return entry.first == name; });
-  return found == kNames.end() ? std::nullopt : std::optional(found->second);
+  const std::optional<BoundKind> kind = bound_named(name);
+  return kind == BoundKind::mixed_volume ? BoundKind::stable_mixed_volume : kind;
 }
 
 std::uint64_t roots_counted(const Claims& claims, BoundKind kind) {
@@ -63,9 +52,14 @@ std::string values_text(const std::vector<RootBound>& bounds) {
 void judge_bound(const Claims& claims, const StandIn& stand_in, Verdicts& verdicts,
                  const std::atomic<bool>& stop) {
   if (!claims.bound) return;
-  const auto& [name, value] = *claims.bound;
+  const auto& [name, value, certainty] = *claims.bound;
   const std::optional<BoundKind> kind = kind_of(name);
   if (!kind) return verdicts.refute(ClaimKind::bound, "no bound is called \"" + name + "\"");
+  const std::string rests_on = to_string(certainty_of(*kind));
+  if (certainty && *certainty != rests_on) {
+    return verdicts.refute(ClaimKind::bound, "the " + name + " is said to rest on \"" + *certainty +
+                                                 "\", and rests on \"" + rests_on + "\"");
+  }
   if (claims.completeness != "proved") {
     return verdicts.refute(ClaimKind::bound, "said to be met, and completeness not to be proved");
   }

@@ -213,7 +213,7 @@ void judge_completeness(const Claims& claims, const StandIn& stand_in, Verdicts&
 }
 
 /// Points are as many, whatever their multiplicity.
-bool counts_points(const BoundClaim& bound) { return bound.kind == to_string(BoundKind::strata); }
+bool counts_points(const BoundClaim& bound) { return bound_named(bound.kind) == BoundKind::strata; }
 
 /// What is claimed of the stand-in, whose paths and multiplicities are so many times fewer.
 Claims divided(const Claims& claims, std::uint64_t sheets, Verdicts& verdicts) {

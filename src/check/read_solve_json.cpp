@@ -194,6 +194,7 @@ BoundClaim read_bound(const JsonPlace& place) {
   if (!place.is_object()) return bound;
   if (const auto kind = place.member("kind", true)) bound.kind = kind->text();
   if (const auto value = place.member("value", true)) bound.value = value->count();
+  if (const auto certainty = place.member("certainty")) bound.certainty = certainty->text();
   return bound;
 }
 

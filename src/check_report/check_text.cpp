@@ -13,6 +13,10 @@
 namespace moivre {
 namespace {
 
+constexpr const char* kShared =
+    "Shared    with solve: reading, proofs of roots, bounds, exact algebra (modulo other primes); "
+    "nothing that follows a path\n";
+
 std::string roots_text(const Judgement& judgement) {
   const RootTally& roots = judgement.roots;
   std::string text = counted(roots.listed, "root") + ": ";
@@ -119,6 +123,7 @@ std::string check_text(const Judgement& judgement, const JudgedFiles& files) {
   text += "Roots     " + roots_text(judgement) + '\n';
   text += "Bounds    " + bounds_text(judgement) + '\n';
   text += "Complete  " + proof_text(judgement) + '\n';
+  text += kShared;
   text += claims_text(judgement) + refuted_text(judgement) + open_text(judgement);
   if (judgement.interrupted) text += "\nInterrupted: not every claim was judged.\n";
   if (!judgement.holds()) {

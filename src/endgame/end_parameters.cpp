@@ -20,7 +20,10 @@ std::vector<std::string> validate(const EndParameters& ends) {
                                                   {"singular_condition", ends.singular_condition},
                                                   {"zero_sum", ends.zero_sum},
                                                   {"beyond", ends.beyond},
+                                                  {"known_size", ends.known_size},
                                                   {"valuation_error", ends.valuation_error},
+                                                  {"face_threshold", ends.face_threshold},
+                                                  {"face_progress", ends.face_progress},
                                                   {"fine_rounding", ends.fine_rounding}});
   if (ends.samples < 4 || ends.samples % 2 != 0) {
     broken.push_back("samples must be even and at least 4");

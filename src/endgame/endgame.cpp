@@ -566,7 +566,9 @@ std::optional<PathSegment> Endgame::conclude(PathSystem& path) {
 
 // x_0 beside its error. That it is 0, no number of digits tells: a root of size 1e31 ends as an end
 // at infinity does.
-bool Endgame::is_known_finite() const { return chart_.finiteness(end_.x) > 10 * end_.accuracy; }
+bool Endgame::is_known_finite() const {
+  return chart_.finiteness(end_.x) > options_.ends.known_size * end_.accuracy;
+}
 
 std::nullopt_t Endgame::take_finite() {
   if (!is_known_finite()) return fail(Failure::precision);

@@ -84,7 +84,7 @@ class Faces {
     VectorXcd value(static_cast<Index>(faces_.size()));
     VectorXd error(value.size());
     MatrixXcd jacobian(value.size(), static_cast<Index>(y.size()));
-    double threshold = ends_.agreement;
+    double threshold = ends_.face_threshold;
     double before = 0;
     FaceRoot result = FaceRoot::none;
     // Towards an m-fold root the values fall by (1 - 1/m)^m < 1/e with each iteration.
@@ -93,12 +93,12 @@ class Faces {
       fused([&] { evaluate(y, value, error, jacobian); });
       const double largest = value.lpNorm<Eigen::Infinity>();
       if (largest <= ends_.fine_rounding) return FaceRoot::exact;
-      const bool is_stuck = std::abs(largest - before) < before / 10;
+      const bool is_stuck = std::abs(largest - before) < ends_.face_progress * before;
       if (largest <= error.sum()) result = FaceRoot::as_rounded;
       // The errors make up for nothing where the way leads on to a root, slowly where that is a
       // multiple one.
       if (result == FaceRoot::as_rounded && is_stuck) break;
-      if (is_stuck) threshold = std::max(threshold / 10, ends_.rounding);
+      if (is_stuck) threshold = std::max(ends_.face_progress * threshold, ends_.rounding);
       before = largest;
       const VectorXcd dz = shortest_solution(jacobian, -value, threshold);
       if (!dz.allFinite()) break;

@@ -59,9 +59,9 @@ Json learning_json(const Learning& learning) {
   Json json = {{"start", learning.start},         {"paths", learning.paths},
                {"certified", learning.certified}, {"dropped", learning.dropped},
                {"complete", learning.complete},   {"standing", learning.standing}};
-  json["bound"] = learning.bound
-                      ? Json{{"kind", learning.bound->kind}, {"value", learning.bound->value}}
-                      : Json();
+  json["bound"] = learning.bound ? Json{{"kind", name_in_results(learning.bound->kind)},
+                                        {"value", learning.bound->value}}
+                                 : Json();
   return json;
 }
 
@@ -113,8 +113,8 @@ Learning learning_of(const Json& json) {
   learning.standing = json.at("standing").get<std::string>();
   const Json& bound = json.at("bound");
   if (!bound.is_null()) {
-    learning.bound =
-        MetBound{bound.at("kind").get<std::string>(), bound.at("value").get<std::uint64_t>()};
+    const auto kind = bound_named(bound.at("kind").get<std::string>());
+    if (kind) learning.bound = MetBound{*kind, bound.at("value").get<std::uint64_t>()};
   }
   return learning;
 }

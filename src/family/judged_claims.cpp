@@ -28,8 +28,8 @@ void judge_claims(Family& family, std::uint64_t draw) {
   if (learning.bound) {
     learning.bound = known_counts(family, member).met;
     if (learning.bound) {
-      learning.standing =
-          "proved: the roots are as many as the " + learning.bound->kind + " allows";
+      learning.standing = "proved: the roots are as many as the " +
+                          name_in_results(learning.bound->kind) + " allows";
       return;
     }
   }

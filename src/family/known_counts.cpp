@@ -7,21 +7,6 @@
 namespace moivre {
 namespace {
 
-std::string name_of(BoundKind kind) {
-  switch (kind) {
-    case BoundKind::bezout:
-      return "total degree";
-    case BoundKind::multihomogeneous:
-      return "multihomogeneous number";
-    case BoundKind::elimination:
-    case BoundKind::stable_mixed_volume:
-    case BoundKind::quotient_ring:
-    case BoundKind::strata:
-      break;
-  }
-  return to_string(kind);
-}
-
 /// With z x_1 ... x_n - 1: no coordinate of a root is 0.
 System without_zeros(System f) {
   const std::size_t n = f.variables.size();
@@ -43,7 +28,7 @@ KnownCounts known_counts(const Family& family, const Point& p, const std::atomic
   KnownCounts known;
   for (const RootBound& bound : root_bounds(member, {roots, roots}, stop)) {
     if (bound.value == roots) {
-      known.met = MetBound{name_of(bound.kind), roots, bound.kind == BoundKind::strata};
+      known.met = MetBound{bound.kind, roots};
     }
     if (bound.kind == BoundKind::quotient_ring && !family.nonzero) known.by_algebra = bound.value;
   }

@@ -85,7 +85,8 @@ std::string standing_of(const SolveResult& result, const Learning& learning) {
     return "every member has roots that are not regular, which are not part of the family";
   }
   if (result.bound) {
-    return "proved: the roots are as many as the " + result.bound->kind + " allows";
+    return "proved: the roots are as many as the " + name_in_results(result.bound->kind) +
+           " allows";
   }
   if (result.completeness == RootCompleteness::shown) {
     return "shown: every path was decided and every root is certified";

@@ -108,8 +108,8 @@ std::string standing_of(const Learning& learning, const TraceTest& test, const S
                                 " times a random root was not among those that loops lead to: the "
                                 "family is reducible, or loops have lost roots";
   if (learning.bound) {
-    const std::string proved =
-        "proved: as many certified roots as the " + learning.bound->kind + " allows";
+    const std::string proved = "proved: as many certified roots as the " +
+                               name_in_results(learning.bound->kind) + " allows";
     return search.components > 1 ? proved + "; " + elsewhere : proved;
   }
   if (search.components > 1) return elsewhere + "; there may be more";

@@ -78,7 +78,11 @@ Json work_json(const StepCount& work) {
 
 Json to_json(const Solution& solution) { return solution_json(solution, to_json(solution.x)); }
 
-Json to_json(const MetBound& bound) { return {{"kind", bound.kind}, {"value", bound.value}}; }
+Json to_json(const MetBound& bound) {
+  return {{"kind", name_in_results(bound.kind)},
+          {"value", bound.value},
+          {"certainty", to_string(certainty_of(bound.kind))}};
+}
 
 Json to_json(const PathCounts& paths) {
   return {{"tracked", paths.tracked},

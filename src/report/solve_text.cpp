@@ -102,7 +102,7 @@ std::string completeness_line(const SolveResult& result) {
     const std::string others =
         left_out > 0 ? " and " + std::to_string(left_out) + " left out" : std::string();
     return counted(roots.size(), "root") + others + ", " + std::to_string(result.bound->value) +
-           " = " + result.bound->kind + ": proved complete\n";
+           " = " + name_in_results(result.bound->kind) + ": proved complete\n";
   }
   const auto count = [&](auto claim) {
     return static_cast<std::uint64_t>(std::count_if(roots.begin(), roots.end(), claim));

@@ -34,11 +34,10 @@ constexpr double kTermCost = 20;
 constexpr double kAllDigits = 5000;
 
 /// The bound whose value is `roots`; throws where it is less.
-bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots,
-            const std::string& kind) {
+bool is_met(const std::optional<std::uint64_t>& bound, std::uint64_t roots, BoundKind kind) {
   if (bound && *bound < roots) {
-    throw std::logic_error(counted(roots, "root") + " are proved, but the " + kind + " is " +
-                           std::to_string(*bound));
+    throw std::logic_error(counted(roots, "root") + " are proved, but the " +
+                           name_in_results(kind) + " is " + std::to_string(*bound));
   }
   return bound == roots;
 }
@@ -111,7 +110,7 @@ std::optional<MetBound> volume_met_by(Run& run, std::uint64_t roots) {
   if (!bounds.volume && bounds.for_volume.allows(bounded_search(run, f).most_steps)) {
     bounds.volume = verified_volume(run, f);
   }
-  const std::string kind = lacks_origin(f) ? "stable mixed volume" : "mixed volume";
+  const BoundKind kind = lacks_origin(f) ? BoundKind::stable_mixed_volume : BoundKind::mixed_volume;
   if (is_met(bounds.volume, roots, kind)) return MetBound{kind, roots};
   return std::nullopt;
 }
@@ -120,8 +119,9 @@ std::optional<MetBound> volume_met_by(Run& run, std::uint64_t roots) {
 std::optional<MetBound> ring_or_volume_met_by(Run& run, std::uint64_t roots) {
   const QuotientRing& ring = ring_of(run, roots);
   if (ring.verdict != QuotientRing::Verdict::finite) return volume_met_by(run, roots);
-  const std::string kind = "dimension of the quotient ring";
-  if (is_met(ring.dimension, roots, kind)) return MetBound{kind, roots};
+  if (is_met(ring.dimension, roots, BoundKind::quotient_ring)) {
+    return MetBound{BoundKind::quotient_ring, roots};
+  }
   return std::nullopt;
 }
 
@@ -136,9 +136,8 @@ std::optional<MetBound> strata_met_by(Run& run, std::uint64_t points) {
   if (!bounds.for_strata.allows(search.most_steps)) return std::nullopt;
   bounds.asked_by_strata = points;
   const auto most = most_isolated_points(f, run.setting.options.seed, search, points);
-  const std::string kind = "mixed volume of the strata";
-  if (!is_met(most, points, kind)) return std::nullopt;
-  return MetBound{kind, points, true};
+  if (!is_met(most, points, BoundKind::strata)) return std::nullopt;
+  return MetBound{BoundKind::strata, points};
 }
 
 /// What is known: `roots` with their multiplicities, at `points`.
@@ -146,9 +145,9 @@ std::optional<MetBound> bound_met_by(Run& run, std::uint64_t roots, std::uint64_
   const std::optional<MetBound>& given = run.setting.prepared.given_bound;
   if (given && is_met(given->value, roots, given->kind)) return given;
   const StartCounts& counts = run.setting.prepared.start.counts;
-  const std::pair<const char*, const StartCount*> degrees[]{
-      {"total degree", &counts.total_degree},
-      {"multihomogeneous number", &counts.multihomogeneous}};
+  const std::pair<BoundKind, const StartCount*> degrees[]{
+      {BoundKind::bezout, &counts.total_degree},
+      {BoundKind::multihomogeneous, &counts.multihomogeneous}};
   for (const auto& [kind, count] : degrees) {
     if (is_met(count->paths, roots, kind)) return MetBound{kind, roots};
   }
@@ -163,7 +162,7 @@ bool meets_bound(Run& run, std::uint64_t roots, std::uint64_t points) {
   if (run.interrupted || run.setting.stop) return false;
   std::optional<MetBound>& met = run.bounds.met;
   // Roots that are proved no more do not meet what they did.
-  if (met && met->value != (met->is_of_points ? points : roots)) met.reset();
+  if (met && met->value != (met->is_of_points() ? points : roots)) met.reset();
   if (!met) met = bound_met_by(run, roots, points);
   return met.has_value();
 }
@@ -383,8 +382,9 @@ void tell_completeness(const Run& run, SolveResult& result) {
   const std::uint64_t left = run.table.count(PathVerdict::not_needed);
   if (left == 0) return;
   const std::string why =
-      run.bounds.met ? "the certified roots are as many as the " + run.bounds.met->kind
-                     : "the roots and their multiplicities are as many as exact algebra counts";
+      run.bounds.met
+          ? "the certified roots are as many as the " + name_in_results(run.bounds.met->kind)
+          : "the roots and their multiplicities are as many as exact algebra counts";
   result.left_out.push_back(
       {counted(left, "path") + " that were not needed",
        why + (left == 1 ? ": it leads to no other" : ": they lead to no other")});

@@ -53,8 +53,8 @@ void add_endgame(FingerprintMaker& maker, const EndgameOptions& options) {
   for (const double number :
        {ends.watch_radius, ends.creeping_radius, ends.first_radius, ends.least_radius, ends.shrink,
         ends.rounding, ends.sample_error, ends.agreement, ends.regular_condition,
-        ends.singular_condition, ends.zero_sum, ends.beyond, ends.valuation_error,
-        ends.fine_rounding}) {
+        ends.singular_condition, ends.zero_sum, ends.beyond, ends.known_size, ends.valuation_error,
+        ends.face_threshold, ends.face_progress, ends.fine_rounding}) {
     maker.add(number);
   }
   for (const int number : {options.creeping_steps, ends.samples, ends.maximum_winding}) {

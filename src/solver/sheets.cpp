@@ -84,7 +84,7 @@ void take_back_powers(const System& f, const PowerFree& bases, SolveResult& resu
   for (auto* const points : {&result.solutions, &result.on_sets}) {
     for (Solution& root : *points) multiply(sheets, refiner, root);
   }
-  if (result.bound && !result.bound->is_of_points) result.bound->value *= sheets;
+  if (result.bound && !result.bound->is_of_points()) result.bound->value *= sheets;
   result.failures = renumbered(sheets, result.failures);
   result.ledger = repeated(sheets, result.ledger);
   result.left_out.push_back({"exponents of equations (" + exponents_text(bases) + ")",

@@ -73,7 +73,7 @@ void tell_eliminated(std::uint64_t roots, SolveResult& result) {
                   [](const Solution& root) { return root.certified == true; });
   if (!all_certified) return;
   result.completeness = RootCompleteness::proved;
-  result.bound = MetBound{"elimination", roots};
+  result.bound = MetBound{BoundKind::elimination, roots};
 }
 
 void enter_eliminated(Solution&& root, SolveResult& result) {

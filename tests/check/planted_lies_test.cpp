@@ -278,6 +278,8 @@ const Lie kLies[] = {
      ClaimKind::bound},
     {"a bound that there is not", "near-pairs", [](Json& r) { r["bound"]["kind"] = "intuition"; },
      ClaimKind::bound},
+    {"a bound that rests on less than is said", "near-pairs",
+     [](Json& r) { r["bound"]["certainty"] = "conviction"; }, ClaimKind::bound},
     {"a bound of powers without their exponents", "powers",
      [](Json& r) { r["bound"]["value"] = 2; }, ClaimKind::bound},
     {"a bound beside a completeness that is shown", "near-pairs",

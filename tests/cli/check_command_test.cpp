@@ -96,6 +96,7 @@ TEST(CheckCommand, RefutesARootThatDoesNotMeetAConditionOfTheFile) {
   scene.run({"solve", "wanted.txt", "--quiet", "--json", "wanted.json"});
   const Outcome honest = scene.run({"check", "wanted.txt", "wanted.json"});
   EXPECT_EQ(honest.exit_code, 2) << "the two others are not listed\n" << honest.out;
+  EXPECT_TRUE(contains(honest.out, "nothing that follows a path\n")) << honest.out;
   EXPECT_TRUE(contains(honest.out, "\nEvery claim that can be verified holds.\n")) << honest.out;
   EXPECT_TRUE(contains(honest.out, "  inequality        4       0       0\n")) << honest.out;
   scene.run({"solve", "all.txt", "--quiet", "--json", "all.json"});

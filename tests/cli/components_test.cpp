@@ -56,7 +56,8 @@ TEST(Components, ProveWhatTheyCan) {
   const Json proved = Json::parse(solve({"--json", "-"}));
   EXPECT_EQ(proved["completeness"], "proved");
   EXPECT_EQ(proved["solutions"][0]["certified"], true);
-  EXPECT_EQ(proved["bound"], Json({{"kind", "total degree"}, {"value", 4}}));
+  EXPECT_EQ(proved["bound"],
+            Json({{"kind", "total degree"}, {"value", 4}, {"certainty", "theorem"}}));
   const Json without = Json::parse(solve({"--no-certify", "--json", "-"}));
   EXPECT_EQ(without["completeness"], nullptr);
   EXPECT_EQ(without["solutions"][0]["certified"], nullptr);

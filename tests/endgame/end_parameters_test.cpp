@@ -13,10 +13,9 @@ namespace {
 
 const std::filesystem::path kFolder = MOIVRE_SOURCE_DIR "/src/endgame";
 
-/// 1e-10, 0.3: what is written with a point or an exponent, but for 0, 1 and 2, which measure
-/// nothing.
+/// 1e-10, 0.3, 10; but for 0, 1 and 2, which measure nothing.
 std::vector<std::string> measures_in(const std::string& line) {
-  static const std::regex number(R"((?:^|[^\w.])(\d+\.\d*(?:e[-+]?\d+)?|\d+e[-+]?\d+))");
+  static const std::regex number(R"((?:^|[^\w.])(\d+(?:\.\d*)?(?:e[-+]?\d+)?))");
   const std::string code = line.substr(0, line.find("//"));
   std::vector<std::string> found;
   for (std::sregex_iterator k(code.begin(), code.end(), number), end; k != end; ++k) {
@@ -30,18 +29,20 @@ TEST(EndParameters, HoldEveryNumberOfTheEndgame) {
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(kFolder)) {
     if (entry.path().extension() != ".cpp" && entry.path().extension() != ".h") continue;
+    if (entry.path().filename() == "end_parameters.cpp") continue;  // says which can be used
     ++files;
     std::ifstream file(entry.path());
     for (std::string line; std::getline(file, line);) {
       EXPECT_TRUE(measures_in(line).empty()) << entry.path().filename() << ": " << line;
     }
   }
-  EXPECT_GE(files, 6);
+  EXPECT_GE(files, 5);
 }
 
 TEST(EndParameters, NumbersInCodeAreSeenAndThoseInCommentsAreNot) {
-  EXPECT_EQ(measures_in("x < 1e-10 && y > 0.3;"), (std::vector<std::string>{"1e-10", "0.3"}));
-  EXPECT_TRUE(measures_in("x = 1.0 / y[2];  // 0.3").empty());
+  EXPECT_EQ(measures_in("x < 1e-10 && y > 0.3 / 10;"),
+            (std::vector<std::string>{"1e-10", "0.3", "10"}));
+  EXPECT_TRUE(measures_in("x3 = 1.0 / y[2];  // 0.3").empty());
 }
 
 TEST(EndParameters, ThatNoEndCanBeJudgedByAreRefused) {

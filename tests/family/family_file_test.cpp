@@ -101,8 +101,8 @@ TEST(FamilyFile, AForgedBoundProvesNoMember) {
   const Family honest = conics_file().families.front();
   ASSERT_EQ(honest.roots.size(), 4U);
   for (const auto& bound :
-       {std::optional(MetBound{"total degree", 2}), std::optional(MetBound{"mixed volume", 7}),
-        std::optional<MetBound>()}) {
+       {std::optional(MetBound{BoundKind::bezout, 2}),
+        std::optional(MetBound{BoundKind::mixed_volume, 7}), std::optional<MetBound>()}) {
     const Family read = read_family({"f", forged(honest, bound)}).families.front();
     EXPECT_FALSE(read.learning.bound);
     EXPECT_FALSE(read.learning.complete);
@@ -123,7 +123,7 @@ TEST(FamilyFile, AForgedBoundProvesNoMember) {
 TEST(FamilyFile, ABoundIsFoundAgainWhereTheFileIsHonest) {
   const Family read = read_family({"f", family_text(conics_file())}).families.front();
   ASSERT_TRUE(read.learning.bound);
-  EXPECT_EQ(read.learning.bound->kind, "total degree");
+  EXPECT_EQ(read.learning.bound->kind, BoundKind::bezout);
   EXPECT_TRUE(read.learning.complete);
 }
 

@@ -147,7 +147,7 @@ TEST(Monodromy, AProvedBoundNeedsNoTraceTest) {
   const Family family = learn_by_monodromy(unlearned, *pair, *lanes, with_seed(1));
   EXPECT_EQ(family.roots.size(), 2U);
   ASSERT_TRUE(family.learning.bound);
-  EXPECT_EQ(family.learning.bound->kind, "total degree");
+  EXPECT_EQ(family.learning.bound->kind, BoundKind::bezout);
   EXPECT_TRUE(family.learning.complete);
 }
 

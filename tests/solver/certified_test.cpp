@@ -26,7 +26,7 @@ void expect_proved(const SolveResult& result, const std::string& kind) {
   EXPECT_TRUE(result.complete);
   EXPECT_EQ(certified(result), result.solutions.size());
   ASSERT_EQ(result.completeness, RootCompleteness::proved);
-  EXPECT_EQ(result.bound->kind, kind);
+  EXPECT_EQ(name_in_results(result.bound->kind), kind);
   EXPECT_EQ(result.bound->value, result.solutions.size());
 }
 

@@ -192,7 +192,7 @@ TEST(CountedRoots, AreLookedForInMoreDigitsAsLongAsOneIsMissing) {
   const SolveResult result = solve(f, *lanes, options);
   EXPECT_EQ(result.solutions.size(), 22U);
   ASSERT_TRUE(result.bound) << result.message;
-  EXPECT_EQ(result.bound->kind, "dimension of the quotient ring");
+  EXPECT_EQ(result.bound->kind, BoundKind::quotient_ring);
 }
 
 // Of size 4.6e34, without a doubtful path: double and CVODE call its end infinity.

@@ -29,7 +29,7 @@ void expect_nine_proved(const SolveResult& result) {
   EXPECT_TRUE(result.complete) << result.message;
   EXPECT_EQ(result.solutions.size(), 9U);
   ASSERT_EQ(result.completeness, RootCompleteness::proved);
-  EXPECT_EQ(result.bound->kind, "dimension of the quotient ring");
+  EXPECT_EQ(result.bound->kind, BoundKind::quotient_ring);
   for (const Solution& root : result.solutions) EXPECT_EQ(root.certified, true);
   EXPECT_EQ(result.paths.finite + result.paths.not_needed, 81U);
 }

@@ -38,13 +38,29 @@ enum class BoundKind {
   elimination,
   bezout,
   multihomogeneous,
+  mixed_volume,  ///< where no support lacks 0: the stable one is no other
   stable_mixed_volume,
   quotient_ring,
   strata
 };
-/// "elimination", "Bezout", "multihomogeneous", "stable mixed volume", "dimension of the quotient
-/// ring", "mixed volume of the strata".
+/// "elimination", "Bezout", "multihomogeneous", "mixed volume", "stable mixed volume",
+/// "dimension of the quotient ring", "mixed volume of the strata".
 std::string to_string(BoundKind kind);
+/// As results of solves and families call it: "total degree", "multihomogeneous number", and the
+/// others as above.
+std::string name_in_results(BoundKind kind);
+/// Of that name; nullopt where none is called so.
+std::optional<BoundKind> bound_named(const std::string& name);
+
+/// On what the value of a bound rests.
+enum class Certainty {
+  theorem,       ///< and exact integers
+  two_liftings,  ///< mixed cells of two independent liftings, whose volumes agree
+  drawn_prime    ///< exact algebra modulo a prime that is drawn by the run's seed
+};
+Certainty certainty_of(BoundKind kind);
+/// "theorem", "two liftings", "drawn prime".
+std::string to_string(Certainty certainty);
 
 struct RootBound {
   BoundKind kind = BoundKind::bezout;

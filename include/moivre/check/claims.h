@@ -67,6 +67,7 @@ struct PathClaim {
 struct BoundClaim {
   std::string kind;
   std::uint64_t value = 0;
+  std::optional<std::string> certainty;  ///< on what the value rests; older results do not say
 };
 
 /// A coordinate plane on which every equation is said to be zero.

@@ -64,9 +64,16 @@ struct EndParameters {
   /// |x| of an end, in the units of the system, from which double does not tell it from infinity: 1
   /// / (10 sample_error).
   double beyond = 1e11;
+  /// x_0 of a finite end is more than so many times its error.
+  double known_size = 10;
   /// Of a leading exponent, on a circle on which it is steady; the denominators are at most
   /// maximum_winding.
   double valuation_error = 0.03;
+  /// Singular values of a face's Jacobian below it, beside the largest, are the torus' that acts on
+  /// its roots.
+  double face_threshold = 1e-6;
+  /// Where a step on a face changes its value by less than this share `face_threshold` falls by it.
+  double face_progress = 0.1;
   /// What vanishes in double-double, relative to its terms: 2^-104 times the operations of a face.
   double fine_rounding = 1e-26;
 };

@@ -28,6 +28,7 @@
 #include <string>
 #include <vector>
 
+#include "moivre/bounds/root_bounds.h"
 #include "moivre/endgame/end_parameters.h"
 #include "moivre/numeric/complex.h"
 #include "moivre/polynomial/coordinate_planes.h"
@@ -221,11 +222,11 @@ std::string to_string(RootCompleteness completeness);
 
 /// A proved bound on the number of isolated roots that is met by as many certified ones.
 struct MetBound {
-  /// "elimination", "total degree", "multihomogeneous number", "mixed volume", "stable mixed
-  /// volume", "dimension of the quotient ring" or "mixed volume of the strata".
-  std::string kind;
+  BoundKind kind = BoundKind::elimination;
   std::uint64_t value = 0;
-  bool is_of_points = false;  ///< bounds the points at which roots lie, not their multiplicities
+
+  /// It bounds the points at which roots lie, not their multiplicities.
+  bool is_of_points() const { return kind == BoundKind::strata; }
 };
 
 /// Wall seconds.
