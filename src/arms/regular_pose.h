@@ -31,10 +31,10 @@ struct RegularRoot {
 struct RegularPose {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
   std::vector<RegularRoot> roots;
-  std::uint64_t far =
-      0;  ///< further closures, with angles so far from real that double knows none of their digits
-  bool complete =
-      false;  ///< every path decided, every root put right, all different, the pose's own values among them
+  /// Further closures, with angles so far from real that double knows none of their digits.
+  std::uint64_t far = 0;
+  /// Every path decided, every root put right, all different, the pose's own values among them.
+  bool complete = false;
   std::uint64_t rejected = 0;
   Cut cut;
   SolveResult solved;  ///< paths, times, failures; its solutions are taken out

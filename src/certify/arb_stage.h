@@ -19,7 +19,9 @@ enum class ArbOutcome {
   proved,
   not_proved,
   converged,  ///< not proved, but Newton's method converged quadratically: the proof lacks digits
-  left  ///< Newton's method left the neighbourhood by steps that are not made of rounding: with more digits it would, too
+  /// Newton's method left the neighbourhood by steps that are not made of rounding: with more
+  /// digits it would, too.
+  left
 };
 
 /// Owns its memory; one a thread.

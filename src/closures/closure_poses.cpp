@@ -139,7 +139,9 @@ enum class RootKind {
   isolated,  ///< and, where it is real, polished to a pose
   joined,    ///< to a closure at the same singular pose
   on_a_set,  ///< its pose is one of many
-  does_not_close  ///< spare constraints keep Newton-Raphson away from zero, or leave one of several roots at its pose
+  /// Spare constraints keep Newton-Raphson away from zero, or leave one of several roots at its
+  /// pose.
+  does_not_close
 };
 
 /// Newton-Raphson's run from a root, and whether it came to a pose next to it.

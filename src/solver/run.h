@@ -69,14 +69,14 @@ struct Run {
   /// followed from its start again.
   EndgameStarts waiting;
   std::vector<std::pair<std::uint64_t, PathEnd>> ends;  ///< finite, to be refined
-  PointHashes
-      sheets;  ///< of the points over one t to which paths have gone back from ends that circles have told
+  /// Of the points over one t to which paths have gone back from ends that circles have shown.
+  PointHashes sheets;
   Bounds bounds;
   ExactCandidates looked_at;                  ///< each candidate for an exact root once
   std::vector<ExactRoot> ring_roots;          ///< all multiple roots, where the ring tells them
   std::set<std::vector<double>> looked_near;  ///< points whose candidates were looked at
-  PathSet
-      counted_ends;  ///< the first path of each multiple root whose multiplicity exact algebra tells (multiplicities.h)
+  /// The first path of each multiple root whose multiplicity is exact algebra's (multiplicities.h).
+  PathSet counted_ends;
   PathSet
       in_double_double;   ///< followed so, one at a time or to no end: once more tells nothing new
   PathSet in_all_digits;  ///< followed by the last of Trackers::finer: once more tells nothing new

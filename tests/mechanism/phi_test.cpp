@@ -326,9 +326,8 @@ carrier = "arm"
   const Phi phi(m);
   EXPECT_EQ(phi.row_names().back(), "gear sun-planet: turn");
   VectorXd q = VectorXd::Zero(9);
-  q[2] =
-      30 *
-      kDegree;  // the arm turns, the sun stands: seen from the arm the sun turns -30, the planet +60
+  // The arm turns, the sun stands: seen from the arm the sun turns -30, the planet +60.
+  q[2] = 30 * kDegree;
   q[8] = (60 + 30) * kDegree;
   EXPECT_NEAR(phi.value(q, 0)[6], 0, 1e-15);
   q[8] += 10 * kDegree;

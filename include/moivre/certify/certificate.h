@@ -30,8 +30,8 @@ namespace moivre {
 
 enum class Verdict : std::uint8_t {
   certified,  ///< exactly one root in B, and not farther from the given point than was asked for
-  elsewhere,  ///< exactly one root in B, but Newton's method went farther from the given point for it
-  undecided  ///< nothing was proved; every other field says nothing
+  elsewhere,  ///< exactly one root in B, farther from the given point than was asked for
+  undecided   ///< nothing was proved; every other field says nothing
 };
 
 enum class Reality : std::uint8_t {

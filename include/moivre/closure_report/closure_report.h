@@ -31,7 +31,8 @@ struct AngleForm {
 /// From where a spatial mechanism is seen.
 enum class Views {
   standing,  ///< one, by the sheet's view
-  three  ///< from the front (x right, z up), from the right (y right, z up), from above (x right, y up)
+  /// From the front (x right, z up), from the right (y right, z up), from above (x right, y up).
+  three
 };
 
 std::string closures_text(const ClosureResult& result, const Mechanism& mechanism,

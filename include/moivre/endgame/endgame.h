@@ -63,8 +63,8 @@ struct PathEnd {
   Point x;                     ///< homogeneous end point; the last point when failed
   bool is_as_rounded = false;  ///< at infinity as far as the digits of F's coefficients tell
   bool singular = false;
-  std::optional<int>
-      winding;  ///< nullopt: the segment to t = 1 ended there; solver/ tests whether the root is simple
+  /// nullopt: the segment to t = 1 ended there; solver/ tests whether the root is simple.
+  std::optional<int> winding;
   double accuracy = 0;
   double size = 1;        ///< |x|_inf / |x_0|, in the path's frame
   double condition = 0;   ///< of the bordered, row-scaled Jacobian

@@ -61,8 +61,8 @@ struct NewtonResult {
   bool is_singular = false;  ///< rank < min(m, n) at q, or at an iterate where the run ended
   double smallest_singular_value =
       0;  ///< of Phi_q at q (of its min(m, n)), as it stands, not equilibrated
-  double condition =
-      0;  ///< largest over smallest singular value of the equilibrated Phi_q, where it was asked for
+  /// Largest over smallest singular value of the equilibrated Phi_q, where it was asked for.
+  double condition = 0;
   int cycle_length = 0;  ///< of a cycle that was found, else 0
 
   int steps() const { return static_cast<int>(iterations.size()) - 1; }

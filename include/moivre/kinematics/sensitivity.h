@@ -27,8 +27,8 @@ struct PoseSensitivity {
   bool is_singular = false;
   bool has_spare_rows = false;  ///< m > rank: a pose may close to first order only
   Eigen::MatrixXd rates;        ///< n x p, column k = dq/dp_k; NaN where there is none
-  std::vector<bool>
-      breaks_closure;  ///< one per dimension: to first order it cannot change alone; false of a singular pose
+  /// One per dimension: to first order it cannot change alone; false of a singular pose.
+  std::vector<bool> breaks_closure;
   Eigen::MatrixXd free;  ///< n x spins, the ways in which q may move though no dimension does
 };
 

@@ -46,8 +46,8 @@ struct QuotientRingOptions {
   std::uint64_t known = 0;  ///< so many roots are there: at this bound the search ends
   std::uint64_t most_terms = kAffordableTerms;  ///< to be looked at
   const std::atomic<bool>* stop = nullptr;
-  bool counts_points =
-      false;  ///< as many multiplications, beside, as the cube of the dimension; given up beyond most_terms
+  /// Takes as many more multiplications as the cube of the dimension; given up beyond most_terms.
+  bool counts_points = false;
   std::uint64_t seed = 1;      ///< another one draws another prime and another linear form
   bool counts_simple = false;  ///< also where the dimension is finite
   const System* square =

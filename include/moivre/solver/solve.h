@@ -215,7 +215,9 @@ struct StartFacts {
 /// What is known about the number of isolated roots.
 enum class RootCompleteness {
   proved,  ///< as many are certified as a proved bound allows: there is no other
-  shown,  ///< every path was decided, or left where exact algebra counts no more roots; regular roots are certified
+  /// Every path was decided, or left where exact algebra counts no more roots; regular roots are
+  /// certified.
+  shown,
   open
 };
 std::string to_string(RootCompleteness completeness);
