@@ -9,6 +9,7 @@
 #include "bench.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/expression/counted.h"
+#include "moivre/numeric/near_points.h"
 
 namespace moivre {
 namespace {
@@ -24,12 +25,6 @@ std::vector<Certificate> certificates_of(const Bench& bench) {
   return certificates;
 }
 
-double apart(const Point& a, const Point& b) {
-  double largest = 0;
-  for (std::size_t j = 0; j < a.size(); ++j) largest = std::max(largest, std::abs(a[j] - b[j]));
-  return largest;
-}
-
 /// What lies where is proved by no certificate: the same point twice is the same claim twice,
 /// overlapping discs are open.
 void judge_unproved_pairs(Bench& bench) {
@@ -40,7 +35,7 @@ void judge_unproved_pairs(Bench& bench) {
     for (std::size_t other = 0; other < entries.size(); ++other) {
       if (other == k || entries[other].is_refuted) continue;
       if (other > k && !is_proved(entries[other])) continue;  // seen from the later one
-      const double distance = apart(entries[k].x, entries[other].x);
+      const double distance = max_distance(entries[k].x, entries[other].x);
       if (distance == 0) {
         bench.verdicts.refute(ClaimKind::distinct, "the same point as " + root_name(other + 1),
                               k + 1);
@@ -141,7 +136,7 @@ Certificate conjugate(Certificate c) {
 
 bool has_near(const std::vector<const Entry*>& entries, const Certificate& c) {
   return std::any_of(entries.begin(), entries.end(), [&](const Entry* entry) {
-    return apart(entry->x, c.midpoint) <= entry->reach + c.radius(0);
+    return max_distance(entry->x, c.midpoint) <= entry->reach + c.radius(0);
   });
 }
 

@@ -9,6 +9,7 @@
 
 #include "moivre/expression/counted.h"
 #include "moivre/multiprecision/reference_roots.h"
+#include "moivre/numeric/near_points.h"
 
 namespace moivre {
 namespace {
@@ -35,9 +36,7 @@ double modulus(const ComplexDoubleDouble& z) {
 }  // namespace
 
 double relative_difference(const Point& x, const Point& y) {
-  double largest = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, std::abs(x[i] - y[i]));
-  return largest / std::max(1.0, max_norm(y));
+  return max_distance(x, y) / std::max(1.0, max_norm(y));
 }
 
 std::size_t ReferenceRoots::place_of(const Solution& solution) {
