@@ -38,7 +38,7 @@ bool vanish_together(const std::vector<Complex>& z, int m, const EndParameters& 
 /// (p_k is analytic). These tell the errors of the samples and of their number, whatever those come
 /// from.
 struct SumsAndErrors {
-  /// The largest p_k(0), in its errors: of the order of 1 where all limits are 0.
+  /// The largest p_k(0), in its errors: of the order of 1 or less where all limits are 0.
   double sum = 0;
   double error = 0;  ///< the largest of the errors, relative
 };

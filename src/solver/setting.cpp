@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The system prepared, the trackers at hand, and how far the coefficients' spread lets ends be
-// believed.
+// The prepared system, the trackers at hand, and in which precisions an equation's smallest terms
+// are lost beside its largest ones.
 #include "setting.h"
 
 #include "finer_trackers.h"
