@@ -13,7 +13,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "problems.h"
@@ -39,15 +38,6 @@ std::string linear_equations(int n) {
     text += " - 1;\n";
   }
   return text;
-}
-
-/// Sends the signal when the program catches it, and some of its work is done.
-std::function<void(int)> send_soon(int signal) {
-  return [signal](int process) {
-    ASSERT_TRUE(catches_interrupt(process));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
-    kill(process, signal);
-  };
 }
 
 TEST(Faults, ALostTerminalEndsARunWithWhatIsFinished) {
@@ -99,8 +89,8 @@ TEST(Faults, EliminationEndsWhereItIsInterrupted) {
   scene.write("f.phc", linear_equations(700));
   const auto begin = std::chrono::steady_clock::now();
   for (const char* command : {"solve", "info"}) {
-    const Outcome outcome =
-        scene.run({command, "f.phc", "--quiet", "--json", "f.json"}, false, send_soon(SIGTERM));
+    const Outcome outcome = scene.run({command, "f.phc", "--quiet", "--json", "f.json"}, false,
+                                      send_after(0.3, SIGTERM));
     EXPECT_EQ(outcome.exit_code, 2) << command << outcome.err;
     EXPECT_TRUE(scene.has("f.json"));
   }

@@ -3,6 +3,7 @@
 #include "program.h"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <pty.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -158,6 +159,33 @@ bool catches_interrupt(int process) {
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   return false;
+}
+
+bool has_worked(int process, double seconds) {
+  const std::string file = "/proc/" + std::to_string(process) + "/stat";
+  const double ticks = seconds * static_cast<double>(::sysconf(_SC_CLK_TCK));
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+  while (std::chrono::steady_clock::now() < give_up) {
+    // Behind the name in parentheses: the state, ten numbers, and what user and system took.
+    const std::string text = content(file);
+    std::istringstream fields(text.substr(text.rfind(')') + 1));
+    std::string state;
+    fields >> state;
+    if (!fields || state == "Z") return false;
+    for (int k = 0; k < 10; ++k) fields >> state;
+    double user = 0, system = 0;
+    if (fields >> user >> system && user + system >= ticks) return true;
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return false;
+}
+
+std::function<void(int)> send_after(double seconds, int signal) {
+  return [seconds, signal](int process) {
+    EXPECT_TRUE(catches_interrupt(process));
+    EXPECT_TRUE(has_worked(process, seconds)) << "it ended, or stood still";
+    ::kill(process, signal);
+  };
 }
 
 }  // namespace moivre::test

@@ -68,4 +68,12 @@ inline bool contains(const std::string& text, const std::string& part) {
 /// Waits until the process catches SIGINT. False when it does not within ten seconds.
 bool catches_interrupt(int process);
 
+/// Waits until the process, all its threads together, has taken so many seconds of processor time:
+/// its work has come as far on a busy machine as on an idle one. False when it ended before, or
+/// does not get there within two minutes.
+bool has_worked(int process, double seconds);
+
+/// For Scene::run(): sends the signal to a process that catches it and has worked so long.
+std::function<void(int)> send_after(double seconds, int signal);
+
 }  // namespace moivre::test

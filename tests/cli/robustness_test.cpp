@@ -9,7 +9,6 @@
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "problems.h"
 #include "program.h"
@@ -42,12 +41,6 @@ class FileLimit {
   void (*handler_)(int);
   rlimit old_ = {};
 };
-
-void interrupt_soon(int process) {
-  ASSERT_TRUE(catches_interrupt(process));
-  std::this_thread::sleep_for(std::chrono::seconds(1));
-  kill(process, SIGINT);
-}
 
 TEST(Robustness, TellsTheRootsWhereTheFileCannotBeWritten) {
   Scene scene;
@@ -122,7 +115,7 @@ TEST(Robustness, InterruptedDigitsLeaveTheRoots) {
   scene.write("f.phc", katsura(8));
   const Outcome outcome =
       scene.run({"solve", "f.phc", "--threads", "1", "--digits", "1000", "--json", "-"}, false,
-                interrupt_soon);
+                send_after(1, SIGINT));
   EXPECT_EQ(outcome.exit_code, 2);
   const Json json = Json::parse(outcome.out);
   EXPECT_EQ(json["complete"], false);
@@ -136,8 +129,8 @@ TEST(Robustness, AnInterruptedMotionDisputesNoCheckpoint) {
   const Scene scene;
   const std::string jansen =
       std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/jansen-leg.toml";
-  const Outcome outcome =
-      scene.run({"motion", jansen, "--checkpoints", "10000", "--json", "-"}, false, interrupt_soon);
+  const Outcome outcome = scene.run({"motion", jansen, "--checkpoints", "10000", "--json", "-"},
+                                    false, send_after(1, SIGINT));
   EXPECT_EQ(outcome.exit_code, 2);
   const Json motion = Json::parse(outcome.out);
   EXPECT_EQ(motion["complete"], false);
