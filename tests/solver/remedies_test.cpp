@@ -6,6 +6,7 @@
 #include <atomic>
 #include <iterator>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "account.h"
@@ -150,6 +151,7 @@ struct Need {
   const char* system;
   bool by_cvode = false;
   std::uint64_t seed = 1;
+  std::int64_t most_steps = 20000;  ///< of a path's segment, of the lanes
 };
 
 const Need kNeeds[] = {
@@ -161,8 +163,8 @@ const Need kNeeds[] = {
     {raise_failed_paths, "EndsOfManyPathsThatSmallerStepsDoNotHelp",
      "2\n ((u - 3*v) + 9/5)^4*((u - 3*v) + 9/5 - 5/10^8)*((u - 3*v) + 4)^4*"
      "((u - 3*v) + 4 - 7/10^15);\n (10*v - 3*u)^2 - 2 - (u - 3*v)^2/97;\n"},
-    {follow_in_smaller_steps, "PairsOfRootsInAnEighthOfTheSteps",
-     "2\n z*(x + 3) - x^256 + 1;\n (2*x^2 - 1)^2*(2*x + 1) - 1/10^60*x;\n"},
+    {follow_in_smaller_steps, "EndsOfPathsWhoseBudgetOfStepsIsSpent",
+     "2\n x^5 + 3*x*y^2 - 7;\n y^5 - 2*x^2*y + 4;\n", false, 1, 20},
     {raise_to_double_double, "PointsOfACurve",
      "2\n 7*x^2 - 9*y + 2;\n"
      " -56*x^3*y + 35*x^2*y^2 - 21*x^2*y + 72*x*y^2 - 45*y^3 + 56*x^2 - 16*x*y + 37*y^2 - 78*y + "
@@ -203,8 +205,9 @@ const Need kNeeds[] = {
 
 SolveResult solve_with(std::span<const Remedy> table, const Need& need) {
   const System f = read(need.system);
-  const auto tracker = need.by_cvode ? make_cvode_tracker() : make_lane_tracker();
-  const auto other = need.by_cvode ? make_lane_tracker() : make_cvode_tracker();
+  const auto lanes = make_lane_tracker({.maximum_steps = need.most_steps});
+  const auto cvode = make_cvode_tracker();
+  const auto& [tracker, other] = need.by_cvode ? std::tie(cvode, lanes) : std::tie(lanes, cvode);
   SolveOptions options = with_seed(need.seed);
   options.fallback = other.get();
   const std::atomic<bool> stop{false};
