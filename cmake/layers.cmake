@@ -3,7 +3,7 @@
 # components by it, and tests/layers checks every include by it. It only sets variables, so that `cmake -P` can read it too.
 # A module may use what its line names and what those use (one way only).
 
-set(MOIVRE_MODULES numeric factorization expression polynomial certify homotopy tracker tracker_cvode tracker_lanes multiprecision endgame
+set(MOIVRE_MODULES numeric factorization expression polynomial algebra certify homotopy tracker tracker_cvode tracker_lanes multiprecision endgame
     start bounds check solver family study mechanism urdf kinematics formulation closures motion design arms closure_study sweep report check_report
     family_report closure_report arm_report sweep_report study_report run_ledger mpi_ranks cli)
 
@@ -13,14 +13,16 @@ set(MOIVRE_USES_mpi_ranks numeric)
 set(MOIVRE_USES_factorization numeric)
 set(MOIVRE_USES_expression numeric)
 set(MOIVRE_USES_polynomial expression factorization)
-set(MOIVRE_USES_certify polynomial)
+# Exact algebra: what integers modulo a prime tell of a system's roots.
+set(MOIVRE_USES_algebra polynomial)
+set(MOIVRE_USES_certify algebra)
 set(MOIVRE_USES_homotopy polynomial)
 set(MOIVRE_USES_tracker homotopy)
 set(MOIVRE_USES_tracker_cvode tracker)
 set(MOIVRE_USES_tracker_lanes tracker)
 set(MOIVRE_USES_multiprecision tracker)
 set(MOIVRE_USES_endgame tracker)
-set(MOIVRE_USES_start homotopy)
+set(MOIVRE_USES_start homotopy algebra)
 set(MOIVRE_USES_solver bounds endgame certify multiprecision)
 set(MOIVRE_USES_bounds start)
 set(MOIVRE_USES_family solver)

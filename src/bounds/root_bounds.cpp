@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
+#include "moivre/algebra/quotient_ring.h"
 #include "moivre/expression/counted.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/polynomial/eliminate.h"
-#include "moivre/polynomial/quotient_ring.h"
 #include "moivre/start/mixed_volume.h"
 #include "moivre/start/multihomogeneous.h"
 #include "moivre/start/strata.h"

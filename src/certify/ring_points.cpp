@@ -11,8 +11,8 @@
 #include <set>
 
 #include "arb_polynomial.h"
+#include "moivre/algebra/ring_image.h"
 #include "moivre/certify/certifier.h"
-#include "moivre/polynomial/ring_image.h"
 
 namespace moivre {
 namespace {

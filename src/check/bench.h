@@ -6,9 +6,9 @@
 #include <atomic>
 #include <functional>
 
+#include "moivre/algebra/local_multiplicity.h"
 #include "moivre/certify/certifier.h"
 #include "moivre/check/claims.h"
-#include "moivre/polynomial/local_multiplicity.h"
 #include "stand_in.h"
 #include "verdicts.h"
 

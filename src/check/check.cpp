@@ -6,11 +6,11 @@
 #include <stdexcept>
 
 #include "bench.h"
+#include "moivre/algebra/quotient_ring.h"
 #include "moivre/certify/isolate.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/polynomial/digits.h"
-#include "moivre/polynomial/quotient_ring.h"
 
 namespace moivre {
 namespace {

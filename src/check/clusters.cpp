@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "bench.h"
+#include "moivre/algebra/local_multiplicity.h"
+#include "moivre/algebra/quotient_ring.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/certify/ring_points.h"
 #include "moivre/expression/counted.h"
@@ -14,8 +16,6 @@
 #include "moivre/numeric/simplest.h"
 #include "moivre/polynomial/digits.h"
 #include "moivre/polynomial/exclusion.h"
-#include "moivre/polynomial/local_multiplicity.h"
-#include "moivre/polynomial/quotient_ring.h"
 
 namespace moivre {
 namespace {

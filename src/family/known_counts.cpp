@@ -2,7 +2,7 @@
 // The bounds of module bounds on a member, and its quotient ring.
 #include "known_counts.h"
 
-#include "moivre/polynomial/quotient_ring.h"
+#include "moivre/algebra/quotient_ring.h"
 
 namespace moivre {
 namespace {

@@ -14,7 +14,7 @@
 #include "elimination_pivot.h"
 #include "elimination_state.h"
 #include "elimination_words.h"
-#include "integer_polynomial.h"
+#include "moivre/polynomial/integer_polynomial.h"
 #include "moivre/polynomial/scale.h"
 
 namespace moivre::elimination {

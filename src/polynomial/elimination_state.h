@@ -12,8 +12,8 @@
 #include <set>
 #include <vector>
 
-#include "integer_polynomial.h"
 #include "moivre/polynomial/eliminate.h"
+#include "moivre/polynomial/integer_polynomial.h"
 
 namespace moivre::elimination {
 

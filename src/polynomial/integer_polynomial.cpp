@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Arithmetic of polynomials with Gaussian integer coefficients and one exact factor outside.
-#include "integer_polynomial.h"
+#include "moivre/polynomial/integer_polynomial.h"
 
 #include <algorithm>
 #include <cmath>

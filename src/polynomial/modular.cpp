@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sparse Gaussian elimination modulo a prime.
-#include "modular.h"
+#include "moivre/polynomial/modular.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Euclid's algorithm, and Berlekamp's and Massey's.
-#include "modular_line.h"
+#include "moivre/polynomial/modular_line.h"
 
 #include <algorithm>
 #include <utility>

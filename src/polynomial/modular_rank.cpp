@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "modular.h"
+#include "moivre/polynomial/modular.h"
 
 namespace moivre {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "integer_polynomial.h"
+#include "moivre/polynomial/integer_polynomial.h"
 
 namespace moivre {
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <utility>
 
-#include "integer_polynomial.h"
-#include "modular_line.h"
 #include "moivre/polynomial/double_range.h"
+#include "moivre/polynomial/integer_polynomial.h"
+#include "moivre/polynomial/modular_line.h"
 
 namespace moivre {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A hash of a system's numbers, and the next prime from there on.
-#include "prime_field.h"
+#include "moivre/polynomial/prime_field.h"
 
 #include <algorithm>
 #include <array>

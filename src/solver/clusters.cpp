@@ -12,10 +12,10 @@
 #include "ends.h"
 #include "exact_roots.h"
 #include "judge.h"
+#include "moivre/algebra/local_multiplicity.h"
+#include "moivre/algebra/numerical_multiplicity.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/numeric/random.h"
-#include "moivre/polynomial/local_multiplicity.h"
-#include "moivre/polynomial/numerical_multiplicity.h"
 #include "settle.h"
 
 namespace moivre {

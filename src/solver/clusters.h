@@ -10,11 +10,11 @@
 // m roots proved that no other path holds: the m paths end at them, one each. Fewer: what is told
 // is not true, and the paths have failed.
 // None: a root of multiplicity m, as far as the most bits of a certificate show. Where fractions
-// within r of x are a root, exactly, its local ring tells (polynomial/local_multiplicity.h): if it
+// within r of x are a root, exactly, its local ring tells (algebra/local_multiplicity.h): if it
 // has dimension m nothing is looked for, and if its dimension is another or larger, x is no
 // isolated root of that multiplicity. Then it lies on a curve, if the ring grows like that of one,
 // or the paths have failed. Elsewhere its ring has to be shown numerically
-// (polynomial/numerical_multiplicity.h): as many dimensions as paths, and no more.
+// (algebra/numerical_multiplicity.h): as many dimensions as paths, and no more.
 // What is not shown has failed.
 // Edges: roots of a cluster so near that the bits do not part them; a ring of too many
 // monomials is not looked at.

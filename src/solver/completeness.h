@@ -7,7 +7,7 @@
 //                          (polynomial/eliminate.h)
 //   multihomogeneous       the number of the partition found [MorganSommese87]; any partition's is
 //                          a bound
-//   quotient ring          the dimension that exact algebra finds (polynomial/quotient_ring.h): the
+//   quotient ring          the dimension that exact algebra finds (algebra/quotient_ring.h): the
 //                          number of roots itself
 //   mixed volume           of what is tracked, 0 added to the supports [LiWang96]
 //   stable mixed volume    of it, where a support lacks 0 [HuberSturmfels97]

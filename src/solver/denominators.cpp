@@ -7,9 +7,9 @@
 
 #include "account.h"
 #include "drop_solutions.h"
+#include "moivre/algebra/quotient_ring.h"
 #include "moivre/expression/counted.h"
 #include "moivre/polynomial/digits.h"
-#include "moivre/polynomial/quotient_ring.h"
 #include "moivre/polynomial/value.h"
 
 namespace moivre {

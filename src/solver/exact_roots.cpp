@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "coincidence.h"
+#include "moivre/algebra/local_multiplicity.h"
 #include "moivre/numeric/simplest.h"
-#include "moivre/polynomial/local_multiplicity.h"
 
 namespace moivre {
 namespace {

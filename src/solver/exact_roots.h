@@ -3,7 +3,7 @@
 // count, no path has to.
 //
 //   x of fractions, F(x) = 0 exactly, isolated and not simple: multiplicity by
-//   polynomial/local_multiplicity.h
+//   algebra/local_multiplicity.h
 //
 // Candidates: 0; the ends that are no simple roots, as they are and rounded to the simplest
 // fractions (numeric/simplest.h) within several errors; where paths have failed, what their last

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "effort.h"
+#include "moivre/algebra/quotient_ring.h"
 #include "moivre/endgame/endgame.h"
-#include "moivre/polynomial/quotient_ring.h"
 #include "path_table.h"
 #include "point_hash.h"
 #include "setting.h"

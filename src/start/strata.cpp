@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "moivre/polynomial/torus_roots.h"
+#include "moivre/algebra/torus_roots.h"
 #include "moivre/start/mixed_volume.h"
 
 namespace moivre {

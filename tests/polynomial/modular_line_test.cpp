@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Are recurrences found, and roots that coincide told?
-#include "modular_line.h"
+#include "moivre/polynomial/modular_line.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Is it a field, and does its prime depend on the system?
-#include "prime_field.h"
+#include "moivre/polynomial/prime_field.h"
 
 #include <gtest/gtest.h>
 

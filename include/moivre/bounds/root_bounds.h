@@ -11,7 +11,7 @@
 //                      independent liftings give the same sum, since a search could miss cells;
 //                      once more in isotropic unknowns (polynomial/isotropic.h), where it is less
 //                      so and nothing else is met
-//   quotient ring      its dimension (polynomial/quotient_ring.h), which is the number of roots
+//   quotient ring      its dimension (algebra/quotient_ring.h), which is the number of roots
 //                      itself [Buchberger65]
 //   mixed volume of the strata   of the system as given, where an equation lacks a constant term
 //                                (start/strata.h) [Bernstein75]

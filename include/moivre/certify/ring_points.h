@@ -2,7 +2,7 @@
 // Where are the roots of a system, all of them, without a path? From its quotient ring over the
 // rationals.
 //
-//   m, N_0 .. N_n   of polynomial/ring_image.h, from as many primes as their coefficients need, and
+//   m, N_0 .. N_n   of algebra/ring_image.h, from as many primes as their coefficients need, and
 //                   one more that they have to agree with
 //   z               the roots of m, isolated on its squarefree factors; e_z how often m has z
 //   x_j = N_j(z) / N_0(z)
@@ -17,7 +17,7 @@
 // Nothing is proved here: what vanishes modulo a prime by chance, or two roots on which u takes one
 // value, would tell too few. The caller proves each root on the system itself, and knows from the
 // dimension how many there are.
-// Not supported: as polynomial/ring_image.h; more than 128 roots; a program built without Arb.
+// Not supported: as algebra/ring_image.h; more than 128 roots; a program built without Arb.
 // Sources: [Rouillier99], [Johansson17], FLINT.
 #pragma once
 

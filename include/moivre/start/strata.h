@@ -7,7 +7,7 @@
 //   m < k      a root, there or in the closure, lies on a set of k - m dimensions at least: none is
 //              isolated
 //   m = k      the mixed volume of F_Z [Bernstein75]; 1 where k = 0
-//   m > k      none, where exact algebra shows it (polynomial/torus_roots.h); else nothing is known
+//   m > k      none, where exact algebra shows it (algebra/torus_roots.h); else nothing is known
 //
 // An isolated root of F is one of its stratum, so the sum bounds their number. A root counts once
 // here, or as often as its stratum has it, whatever its multiplicity in F. So roots at 0 of high

@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "integer_polynomial.h"
+#include "moivre/polynomial/integer_polynomial.h"
 #include "moivre/polynomial/system.h"
 
 namespace moivre {

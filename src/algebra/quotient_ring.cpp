@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Monomials under a staircase, a random multiplication among them, and the inverse of a determinant
 // beside.
-#include "moivre/polynomial/quotient_ring.h"
+#include "moivre/algebra/quotient_ring.h"
 
 #include <utility>
 #include <vector>
 
 #include "groebner_basis.h"
 #include "modular_jacobian.h"
-#include "modular_line.h"
 #include "moivre/numeric/random.h"
+#include "moivre/polynomial/modular_line.h"
 #include "multiplication.h"
 
 namespace moivre {

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "groebner_basis.h"
-#include "modular_line.h"
+#include "moivre/polynomial/modular_line.h"
 
 namespace moivre {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Does the local ring of a root that is no fraction tell its multiplicity, and a curve that passes
 // through it?
-#include "moivre/polynomial/numerical_multiplicity.h"
+#include "moivre/algebra/numerical_multiplicity.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The system moved to the approximate root, what is not known of it, and ranks that this cannot
 // take away.
-#include "moivre/polynomial/numerical_multiplicity.h"
+#include "moivre/algebra/numerical_multiplicity.h"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Rows degree by degree, then each unit vector beside them.
-#include "moivre/polynomial/torus_roots.h"
+#include "moivre/algebra/torus_roots.h"
 
 #include <algorithm>
 #include <map>
 
 #include "local_polynomial.h"
-#include "modular.h"
+#include "moivre/polynomial/modular.h"
 
 namespace moivre {
 namespace {

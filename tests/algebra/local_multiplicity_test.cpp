@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Is the multiplicity of a root that is known exactly counted exactly, and is nothing said where
 // nothing is known?
-#include "moivre/polynomial/local_multiplicity.h"
+#include "moivre/algebra/local_multiplicity.h"
 
 #include <gtest/gtest.h>
 

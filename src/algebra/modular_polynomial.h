@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "moivre/polynomial/prime_field.h"
 #include "moivre/polynomial/system.h"
-#include "prime_field.h"
 
 namespace moivre {
 

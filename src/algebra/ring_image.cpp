@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A Krylov sequence in the quotient ring, its recurrence, and the numerators of its generating
 // functions.
-#include "moivre/polynomial/ring_image.h"
+#include "moivre/algebra/ring_image.h"
 
 #include "groebner_basis.h"
-#include "modular_line.h"
 #include "moivre/numeric/random.h"
+#include "moivre/polynomial/modular_line.h"
 #include "multiplication.h"
 
 namespace moivre {

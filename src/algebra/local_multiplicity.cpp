@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The system moved to the root, its multiples by monomials as rows, columns by ascending degree.
-#include "moivre/polynomial/local_multiplicity.h"
+#include "moivre/algebra/local_multiplicity.h"
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "local_polynomial.h"
-#include "modular.h"
+#include "moivre/polynomial/modular.h"
 
 namespace moivre {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "prime_field.h"
+#include "moivre/polynomial/prime_field.h"
 
 namespace moivre {
 

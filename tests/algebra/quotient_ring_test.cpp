@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Does exact algebra count the roots that the literature counts, and say so where it cannot?
-#include "moivre/polynomial/quotient_ring.h"
+#include "moivre/algebra/quotient_ring.h"
 
 #include <gtest/gtest.h>
 

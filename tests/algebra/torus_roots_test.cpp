@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Is it shown that equations have no common root without zero coordinates where they have none, and
 // never where they have one?
-#include "moivre/polynomial/torus_roots.h"
+#include "moivre/algebra/torus_roots.h"
 
 #include <gtest/gtest.h>
 
