@@ -79,17 +79,17 @@ EndSink taking_ends(Run& run) {
 
 bool are_others_spare(Run& run) { return !run.setting.options.every_path && settle_by_bound(run); }
 
-/// False where the others need not be followed: whenever paths have led to new roots it is asked.
-bool follow_waiting(Run& run, const std::vector<std::uint64_t>& paths, bool from_endgame_starts) {
+/// False where the others need not be followed: that is asked before each block for which more
+/// roots are proved than were `known`.
+bool follow_waiting(Run& run, const std::vector<std::uint64_t>& paths, bool from_endgame_starts,
+                    std::uint64_t& known) {
   const PathProblem problem{*run.setting.prepared.plan, run.setting.tracker(),
                             endgame_for(run.setting, run.effort)};
   const std::size_t together = paths_together(problem);
-  std::uint64_t known = proved_roots(run);
   for (std::size_t first = 0; first < paths.size() && !run.interrupted; first += together) {
-    if (first > 0 && proved_roots(run) > known) {
-      if (are_others_spare(run)) return false;
-      known = proved_roots(run);
-    }
+    const std::uint64_t proved = proved_roots(run);
+    if (proved > known && are_others_spare(run)) return false;
+    known = proved;
     EndgameStarts starts;
     const std::size_t count = std::min(together, paths.size() - first);
     for (std::size_t k = 0; k < count; ++k) starts.insert(run.waiting.extract(paths[first + k]));
@@ -155,8 +155,9 @@ void track_waiting(Run& run, Effort effort) {
   for (const auto& [path, endgame_start] : run.waiting) {
     (endgame_start.x.empty() ? begin_again : stand_at_endgame_starts).push_back(path);
   }
-  const bool are_needed = follow_waiting(run, stand_at_endgame_starts, true);
-  if (are_needed) follow_waiting(run, begin_again, false);
+  std::uint64_t known = proved_roots(run);
+  const bool are_needed = follow_waiting(run, stand_at_endgame_starts, true, known);
+  if (are_needed) follow_waiting(run, begin_again, false, known);
   run.effort = Effort::all_steps;
 }
 

@@ -65,9 +65,10 @@ class LaneStep {
     LaneVector<R>& x = corrected;
     path.predict(h.value(), x);
     homotopy_.move(time);
-    factor_at(x, path, time, expects_small_rows_);
-    const bool has_small_rows = expects_small_rows_ || has_small_pivot();
-    if (has_small_rows != expects_small_rows_) factor_at(x, path, time, true);
+    factor_at(x, path, time, expects_small_rows_ ? every_lane() : no_lane());
+    const Mask lost = lanes_with_small_pivots();
+    const bool has_small_rows = expects_small_rows_ || !is_nowhere(lost);
+    if (has_small_rows && !expects_small_rows_) factor_at(x, path, time, lost);
     find_weights(x);
     lu_.solve_appended(h_, tangent);
     store_real(weighted(h_), first.at);
@@ -100,30 +101,34 @@ class LaneStep {
   }
 
  private:
-  /// J at x, factored, and its right-hand sides.
+  static Mask every_lane() { return zeros() == zeros(); }
+  static Mask no_lane() { return zeros() < zeros(); }
+
+  /// J at x, factored, and its right-hand sides; small rows of these lanes are scaled.
   void factor_at(const LaneVector<R>& x, const LanePath<R>& path, const LaneTime<R>& time,
-                 bool scales_rows) {
+                 Mask scaled) {
     homotopy_.linearize(x, time, h_, lu_, ht_);
     measure_residual();
-    if (scales_rows) scale_rows();
+    if (!is_nowhere(scaled)) scale_rows(scaled);
     append_patch(path, time);
     lu_.factor();
   }
 
-  bool has_small_pivot() const {
+  Mask lanes_with_small_pivots() const {
     const double least = std::ldexp(1.0, 2 * kLeastSquaredLog2);
-    return !is_nowhere(lu_.least_squared_pivot() < broadcast(least));
+    return lu_.least_squared_pivot() < broadcast(least);
   }
 
-  void scale_rows() {
+  void scale_rows(Mask scaled) {
     const double least = std::ldexp(1.0, kLeastSquaredLog2);
+    const V other = broadcast(1.0);
     for (std::size_t i = 0; i < n_; ++i) {
       V largest = zeros();
       for (std::size_t j = 0; j <= n_; ++j) {
         const LaneComplex<R> a = load(lu_.at(i, j));
         largest = larger(largest, larger(hn::Abs(rounded(a.re)), hn::Abs(rounded(a.im))));
       }
-      store_real(largest, scales_[i].at);
+      store_real(select(scaled, largest, other), scales_[i].at);
       for (double& lane : scales_[i].at) lane = lane < least ? power_of_two_scale(lane) : 1;
       for (std::size_t j = 0; j <= n_; ++j) {
         store(scales_[i].value() * load(lu_.at(i, j)), lu_.at(i, j));
