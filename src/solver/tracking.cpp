@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "certificates.h"
 #include "completeness.h"
 #include "ends.h"
 #include "observed_paths.h"
@@ -63,10 +62,11 @@ void follow(Run& run, const PathProblem& problem, const PathList& paths, int tol
 }
 
 void follow(Run& run, const PathProblem& problem, const PathSet& paths, int tolerance_level,
-            const EndSink& sink, Unproved unproved = Unproved::fails) {
+            const EndSink& sink, Unproved unproved = Unproved::fails,
+            const EndgameStarts* endgame_starts = nullptr) {
   const std::vector<std::uint64_t> list(paths.begin(), paths.end());
-  follow(run, problem, {list.size(), [&](std::uint64_t k) { return list[k]; }}, tolerance_level,
-         sink, unproved);
+  follow(run, problem, {list.size(), [&](std::uint64_t k) { return list[k]; }, endgame_starts},
+         tolerance_level, sink, unproved);
 }
 
 /// Takes every end as its verdict comes in.
@@ -75,30 +75,6 @@ EndSink taking_ends(Run& run) {
     take_end(run, path, std::move(end));
     report_progress(run);
   };
-}
-
-bool are_others_spare(Run& run) { return !run.setting.options.every_path && settle_by_bound(run); }
-
-/// False where the others need not be followed: that is asked before each block for which more
-/// roots are proved than were `known`.
-bool follow_waiting(Run& run, const std::vector<std::uint64_t>& paths, bool from_endgame_starts,
-                    std::uint64_t& known) {
-  const PathProblem problem{*run.setting.prepared.plan, run.setting.tracker(),
-                            endgame_for(run.setting, run.effort)};
-  const std::size_t together = paths_together(problem);
-  for (std::size_t first = 0; first < paths.size() && !run.interrupted; first += together) {
-    const std::uint64_t proved = proved_roots(run);
-    if (proved > known && are_others_spare(run)) return false;
-    known = proved;
-    EndgameStarts starts;
-    const std::size_t count = std::min(together, paths.size() - first);
-    for (std::size_t k = 0; k < count; ++k) starts.insert(run.waiting.extract(paths[first + k]));
-    follow(run, problem,
-           {count, [&](std::uint64_t k) { return paths[first + k]; },
-            from_endgame_starts ? &starts : nullptr},
-           run.setting.options.tolerance_level, taking_ends(run));
-  }
-  return true;
 }
 
 /// The paths that came to no verdict.
@@ -132,7 +108,8 @@ void track_to_ends(Run& run) {
   track_all(run);
   for (const Effort effort : {Effort::few_steps, Effort::all_steps}) {
     if (effort <= first_effort(run.setting)) continue;
-    if (run.waiting.empty() || run.interrupted || are_others_spare(run)) return;
+    if (run.waiting.empty() || run.interrupted) return;
+    if (!run.setting.options.every_path && settle_by_bound(run)) return;
     track_waiting(run, effort);
   }
 }
@@ -149,15 +126,20 @@ void track_all(Run& run) {
 }
 
 void track_waiting(Run& run, Effort effort) {
+  const Setting& setting = run.setting;
   run.effort = effort;
-  std::vector<std::uint64_t> stand_at_endgame_starts;
-  std::vector<std::uint64_t> begin_again;
-  for (const auto& [path, endgame_start] : run.waiting) {
-    (endgame_start.x.empty() ? begin_again : stand_at_endgame_starts).push_back(path);
+  const PathProblem problem{*setting.prepared.plan, setting.tracker(),
+                            endgame_for(setting, effort)};
+  const EndgameStarts waiting = std::exchange(run.waiting, {});
+  PathSet stand_at_endgame_starts;
+  PathSet begin_again;
+  for (const auto& [path, endgame_start] : waiting) {
+    (endgame_start.x.empty() ? begin_again : stand_at_endgame_starts).insert(path);
   }
-  std::uint64_t known = proved_roots(run);
-  const bool are_needed = follow_waiting(run, stand_at_endgame_starts, true, known);
-  if (are_needed) follow_waiting(run, begin_again, false, known);
+  const int tolerance_level = setting.options.tolerance_level;
+  follow(run, problem, stand_at_endgame_starts, tolerance_level, taking_ends(run), Unproved::fails,
+         &waiting);
+  follow(run, problem, begin_again, tolerance_level, taking_ends(run));
   run.effort = Effort::all_steps;
 }
 

@@ -19,8 +19,7 @@ void track_to_ends(Run& run);
 /// progress.
 void track_all(Run& run);
 
-/// Follows on what waits, from where each stands, else from its start, and reports the progress;
-/// until the others are not needed.
+/// Follows on what waits, from where each stands, else from its start, and reports the progress.
 void track_waiting(Run& run, Effort effort);
 
 /// Follows these at that tolerance level: by the fallback, where there is one.
