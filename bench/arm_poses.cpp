@@ -175,7 +175,7 @@ bool measure(const Kind& kind, const Request& request) {
   std::uint64_t alone = 0;
   for (std::size_t k = 0; k < poses.size(); ++k) {
     tally.take(arm, results[k], own[k], complex);
-    alone += results[k].start.kind == "approach" ? 1 : 0;
+    alone += results[k].start.source == StartSource::approach ? 1 : 0;
   }
   const std::uint64_t hunted = std::min<std::uint64_t>(request.hunted, poses.size());
   for (std::uint64_t k = 0; k < hunted; ++k) hunt(arm, results[k], k, request.starts, tally);

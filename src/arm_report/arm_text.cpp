@@ -90,9 +90,10 @@ std::string answer(const ArmResult& result) {
 
 std::string paths_text(const ArmResult& result) {
   if (result.stages.empty()) return "";
-  return counted(result.paths.tracked, "path") + " (" + result.start.kind + ", " + result.tracker +
-         ", seed " + std::to_string(result.seed) + "): " + std::to_string(result.paths.finite) +
-         " finite, " + std::to_string(result.paths.at_infinity) + " at infinity, " +
+  return counted(result.paths.tracked, "path") + " (" + to_string(result.start.source) + ", " +
+         result.tracker + ", seed " + std::to_string(result.seed) +
+         "): " + std::to_string(result.paths.finite) + " finite, " +
+         std::to_string(result.paths.at_infinity) + " at infinity, " +
          std::to_string(result.paths.failed) + " failed" +
          (result.paths.not_needed == 0
               ? ""

@@ -34,7 +34,9 @@ constexpr std::size_t kDrawnTogether = 16, kOfAList = 4096;
 void tell_followed(const PreparedArm& prepared, const KnownOfPose& known, ArmResult& result) {
   std::uint64_t roots = 0;
   for (const ArmBeginning& beginning : prepared.beginnings) roots += beginning.regular.roots.size();
-  result.start.kind = known.by_formula ? "formula" : known.is_any() ? "family" : "approach";
+  result.start.source = known.by_formula ? StartSource::formula
+                        : known.is_any() ? StartSource::family
+                                         : StartSource::approach;
   result.start.why = known.by_formula ? "a formula proposes them; as many as a regular pose has"
                                       : "the " + counted(roots, "closure") + " of a regular pose";
   result.start.paths = roots;

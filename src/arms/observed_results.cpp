@@ -114,8 +114,8 @@ void each_field(Is<ArmClosure> auto& closure, auto& each) {
 
 void each_field(Is<PathCounts> auto& paths, auto& each) {
   each(paths.tracked, paths.finite, paths.at_infinity, paths.failed, paths.not_needed,
-       paths.on_positive_dimensional, paths.retracked, paths.handed_over, paths.mixed,
-       paths.double_double, paths.multiprecision);
+       paths.by_count, paths.on_positive_dimensional, paths.retracked, paths.handed_over,
+       paths.mixed, paths.double_double, paths.multiprecision);
 }
 
 void each_field(Is<ArmStage> auto& stage, auto& each) {
@@ -144,8 +144,8 @@ void each_field(Is<NearestPosture> auto& nearest, auto& each) {
 void each_field(Is<StartCount> auto& count, auto& each) { each(count.paths, count.missing); }
 
 void each_field(Is<StartFacts> auto& start, auto& each) {
-  each(start.kind, start.paths, start.why, start.counts.total_degree, start.counts.multihomogeneous,
-       start.counts.mixed_volume);
+  each(start.source, start.paths, start.why, start.counts.total_degree,
+       start.counts.multihomogeneous, start.counts.mixed_volume);
 }
 
 /// Bytes of the two parts of a number are those of a plane vector.

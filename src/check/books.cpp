@@ -193,6 +193,8 @@ void judge_paths(const Claims& claims, Verdicts& verdicts) {
   judge_count(verdicts, ClaimKind::paths,
               "finite, as multiplicities + on_positive_dimensional + excess + roots left out",
               paths.finite, sum(finite));
+  verdicts.judge(ClaimKind::paths, paths.by_count <= paths.finite,
+                 "more paths end at a root by a count than are finite");
   judge_count(verdicts, ClaimKind::paths, "failed, as listed", paths.failed, claims.failures);
   if (paths.retracked) {
     verdicts.judge(ClaimKind::paths, *paths.retracked <= paths.tracked,

@@ -163,6 +163,7 @@ PathClaim read_paths(const JsonPlace& place) {
   paths.failed = count("failed");
   paths.on_positive_dimensional = count("on_positive_dimensional");
   if (const auto n = place.member("not_needed")) paths.not_needed = n->count();
+  if (const auto n = place.member("by_count")) paths.by_count = n->count();
   if (const auto n = place.member("retracked")) paths.retracked = n->count();
   if (const auto n = place.member("handed_over")) paths.handed_over = n->count();
   return paths;

@@ -207,7 +207,7 @@ Computed computed(const ClosuresCommand& command, const Mechanism& mechanism,
   ProgressLine line(!command.quiet);
   ClosureOptions options = options_of(command, line, kept);
   MechanismFamilies families(command.family, command.file, command.start.seed);
-  families.serve(options.solve);
+  options.starts = families.starts();
   const std::unique_ptr<Tracker> fallback = make_fallback(tracker_of(command));
   options.solve.fallback = fallback.get();
   const Interruption interruption(command.time_limit);

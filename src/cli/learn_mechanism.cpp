@@ -17,7 +17,7 @@ FamilyFile learn_mechanism(const std::string& path, const Tracker& tracker,
   ClosureOptions closures;
   closures.solve = options;
   closures.certify = false;  // what is kept are families, and their roots are certified there
-  book.serve(closures.solve);
+  closures.starts = &book;
   find_closures(mechanism, tracker, closures, stop);
   if (stop) throw std::invalid_argument("interrupted: nothing was learned");
   FamilyFile file;

@@ -40,9 +40,7 @@ MechanismFamilies::MechanismFamilies(const std::string& path, const std::string&
       book_(families_in(path), seed),
       file_(path) {}
 
-void MechanismFamilies::serve(SolveOptions& options) {
-  if (file_.is_wanted()) book_.serve(options);
-}
+KnownStarts* MechanismFamilies::starts() { return file_.is_wanted() ? &book_ : nullptr; }
 
 void MechanismFamilies::keep() {
   if (!file_.is_wanted() || !(is_new_ || book_.learned() > 0)) return;

@@ -17,8 +17,8 @@ class MechanismFamilies {
   MechanismFamilies(const std::string& path, const std::string& source, std::uint64_t seed);
 
   FamilyBook& book() { return book_; }
-  /// Makes every solve ask the book, where families are wanted.
-  void serve(SolveOptions& options);
+  /// The book, where families are wanted; else nullptr.
+  KnownStarts* starts();
   /// Writes the file where something was learned, or it is new, with what another process has
   /// learned meanwhile.
   void keep();

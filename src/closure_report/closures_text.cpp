@@ -58,8 +58,8 @@ std::string answer(const ClosureResult& result) {
 }
 
 std::string stages_text(const ClosureResult& result) {
-  std::string text = counted(result.paths.tracked, "path") + " (" + result.start.kind + ", " +
-                     result.tracker + ", seed " + std::to_string(result.seed) +
+  std::string text = counted(result.paths.tracked, "path") + " (" + to_string(result.start.source) +
+                     ", " + result.tracker + ", seed " + std::to_string(result.seed) +
                      "): " + std::to_string(result.paths.finite) + " finite, " +
                      std::to_string(result.paths.at_infinity) + " at infinity, " +
                      std::to_string(result.paths.failed) + " failed" +

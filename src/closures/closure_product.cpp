@@ -167,7 +167,7 @@ std::optional<Closure> closure_of(const ClosureSearch& search,
 
 void add_account(const ClosureResult& part, ClosureResult& whole) {
   whole.paths += part.paths;
-  if (part.start.kind != StartFacts().kind) whole.start.kind = part.start.kind;
+  if (part.start.source != StartFacts().source) whole.start.source = part.start.source;
   whole.start.paths += part.paths.tracked;
   whole.work += part.work;
   whole.stages.insert(whole.stages.end(), part.stages.begin(), part.stages.end());

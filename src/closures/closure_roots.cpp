@@ -116,7 +116,7 @@ void take_account(ClosureResult& result, const StageRun& run) {
   result.work = run.work;
   result.time_s = run.time;
   result.complete = run.complete;
-  result.start.kind = run.largest_start.kind;
+  result.start.source = run.largest_start.source;
   result.start.paths = run.paths.tracked;
   result.left_out.insert(result.left_out.end(), run.left_out.begin(), run.left_out.end());
   result.counts.rejected += run.rejected;
@@ -351,7 +351,8 @@ StageRun solve_blocks(const ClosureSearch& search, const Formulation& formulatio
   const bool is_free = options.precision == Precision::automatic;
   if (is_free && is_refuted_alone(search)) options.precision = Precision::double_precision;
   const Formulation* const whole = search.mechanism.fit ? nullptr : &search.formulation;
-  return solve_blocks(formulation, blocks, search.tracker, options, search.stop, prover, {}, whole);
+  const BlockSolving solving{search.tracker, options, search.options.starts, search.stop};
+  return solve_blocks(formulation, blocks, solving, prover, {}, whole);
 }
 
 /// Paths in doubt lead to no closure where there is none.

@@ -9,25 +9,16 @@
 #include <stdexcept>
 #include <utility>
 
-#include "linear_block.h"
+#include "block_sources.h"
 #include "lone_equation.h"
 #include "moivre/expression/counted.h"
 #include "moivre/formulation/exact.h"
-#include "moivre/numeric/random.h"
 #include "moivre/polynomial/eliminate.h"
-#include "moivre/solver/member_start.h"
 #include "quadratic_block.h"
 #include "shared_above.h"
 
 namespace moivre {
 namespace {
-
-// Few paths are followed by one thread: starting others takes longer.
-constexpr std::uint64_t kPathsForOneThread = 8;
-
-// So few paths are followed before a better start is found: closure polynomials have hardly more of
-// them than roots.
-constexpr std::uint64_t kPathsWithoutSearch = 32;
 
 // A simple root is known far better than this, a multiple one just so: what is larger beside its
 // terms does not vanish.
@@ -40,23 +31,9 @@ constexpr double kClearlyComplex = 0.1;
 // 1e-14.
 constexpr double kVanishes = 1e-13;
 
-/// In the block's variables, numbered in its order.
-System system_at(const System& all, const Block& block, const PartialRoot& root) {
-  System f;
-  std::vector<std::uint32_t> place(all.variables.size());
-  for (const std::size_t v : block.variables) {
-    place[v] = static_cast<std::uint32_t>(f.variables.size());
-    f.variables.push_back(all.variables[v]);
-  }
-  for (const std::size_t e : block.equations) {
-    f.polynomials.push_back(substituted(all.polynomials[e], root.value, place));
-  }
-  return f;
-}
-
 /// Above all roots that have the values in its equations in common.
 struct BlockSolve {
-  SolveResult result;
+  BlockRoots result;
   std::vector<std::vector<KnownValue>> values;  ///< of each solution, by the block's variables
 };
 
@@ -72,7 +49,7 @@ void drop_repeated_proofs(std::vector<PartialRoot>& children) {
 
 /// Whether as many roots are proved as the block's degrees allow, or, where nothing put into it was
 /// rounded in double, as its start has paths.
-bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>& children,
+bool has_proved_bound(const BlockRoots& result, const std::vector<PartialRoot>& children,
                       std::uint64_t by_degrees, bool is_exact) {
   const bool all_proved =
       std::all_of(children.begin(), children.end(),
@@ -81,22 +58,20 @@ bool has_proved_bound(const SolveResult& result, const std::vector<PartialRoot>&
   if (by_degrees > 0 && children.size() == by_degrees) return true;
   if (!is_exact) return false;
   if (result.bound) return result.bound->value == children.size();
-  const bool is_bound = result.start.kind == to_string(StartKind::total_degree) ||
-                        result.start.kind == to_string(StartKind::multihomogeneous);
+  const bool is_bound = result.start.source == StartSource::total_degree ||
+                        result.start.source == StartSource::multihomogeneous;
   return is_bound && result.paths.tracked == children.size();
 }
 
 class Stages {
  public:
-  Stages(const Formulation& formulation, const std::vector<Block>& blocks, const Tracker& tracker,
-         const SolveOptions& options, const std::atomic<bool>& stop, RootProver& prover,
-         PartialRoot begun, const Formulation* whole)
+  Stages(const Formulation& formulation, const std::vector<Block>& blocks,
+         const BlockSolving& solving, RootProver& prover, PartialRoot begun,
+         const Formulation* whole)
       : formulation_(formulation),
         whole_(whole),
         blocks_(blocks),
-        tracker_(tracker),
-        options_(options),
-        stop_(stop),
+        solving_(solving),
         prover_(prover) {
     begun.value.resize(formulation.system.variables.size());
     run_.roots.push_back(std::move(begun));
@@ -120,24 +95,24 @@ class Stages {
     prover_.add(block);
     prover_.close();
     const QuadraticBlock formula(formulation_, block);
-    const LinearBlock linear(formulation_.system, block);
+    BlockSources sources(formulation_, block, solving_, formula, proved_poses_of(block));
     SharedAbove<BlockSolve> solves(formulation_.system, block);
     Stage stage;
     stage.group = group_name(block);
     const Before before{run_.is_proved, run_.complete, run_.failures.size()};
     std::vector<PartialRoot> next;
     for (const PartialRoot& root : run_.roots) {
-      if (stop_) run_.complete = false;
-      if (stop_) break;
+      if (solving_.stop) run_.complete = false;
+      if (solving_.stop) break;
       bool is_new = false;
       const BlockSolve& solve = solves.above(root, [&] {
         is_new = true;
-        return solved(block, formula, linear, root);
+        return solved(sources.roots_above(root));
       });
       if (!is_new) ++shared_;
       add_roots(block, formula.bound(), solve, root, stage, next);
     }
-    if (const auto bound = bound_of(block); bound && run_.roots.size() == 1) {
+    if (const auto bound = bound_of(formulation_, block); bound && run_.roots.size() == 1) {
       settle_by_bound(*bound, before, next, stage);
     }
     run_.paths += stage.paths;
@@ -194,32 +169,12 @@ class Stages {
     return std::move(run_);
   }
 
-  /// Whether the theorem speaks of this block, which then is the first.
-  bool is_of_theorem(const Block& block) const {
-    const auto& theorem = formulation_.theorem;
-    return theorem && block.variables.size() == theorem->unknowns &&
-           block.variables.back() + 1 == theorem->unknowns &&
-           block.equations.back() + 1 == theorem->unknowns;
-  }
-
   /// What was so before a block.
   struct Before {
     bool is_proved;
     bool is_complete;
     std::size_t failures;
   };
-
-  /// No more isolated poses than this are roots of the block.
-  std::optional<Formulation::Bound> bound_of(const Block& block) const {
-    if (is_of_theorem(block)) {
-      return Formulation::Bound{formulation_.theorem->of, {}, formulation_.theorem->most};
-    }
-    const auto& bounds = formulation_.bounds;
-    const auto at = std::find_if(bounds.begin(), bounds.end(), [&](const auto& bound) {
-      return bound.unknowns == block.variables;
-    });
-    return at == bounds.end() ? std::nullopt : std::optional(*at);
-  }
 
   /// Where as many poses are proved as a theorem allows, paths in doubt lead to none.
   void settle_by_bound(const Formulation::Bound& bound, const Before& before,
@@ -349,18 +304,28 @@ class Stages {
     std::erase_if(run_.roots, [&](const PartialRoot& root) { return is_excluded(root, block); });
   }
 
-  BlockSolve solved(const Block& block, const QuadraticBlock& formula, const LinearBlock& linear,
-                    const PartialRoot& root) {
-    BlockSolve solve{by_formula(formula, root), {}};
-    if (solve.result.solutions.empty()) solve.result = by_least_squares(linear, root);
-    if (solve.result.solutions.empty()) solve.result = followed(block, root);
+  BlockSolve solved(BlockRoots&& roots) {
+    BlockSolve solve{std::move(roots), {}};
     for (const Solution& solution : solve.result.solutions) {
       solve.values.push_back(values_of(solution));
     }
+    if (solve.result.by == BlockSourceKind::formula) ++formulas_;
+    if (solve.result.by == BlockSourceKind::least_squares) run_.is_proved = false;
     run_.work += solve.result.work;
     run_.time.threads = std::max(run_.time.threads, solve.result.time.threads);
     add_solving(solve.result.time, run_.time);
     return solve;
+  }
+
+  /// How many of the solutions above a root are proved to be poses; empty where nothing is proved.
+  ProvedPoses proved_poses_of(const Block& block) {
+    if (!prover_.is_on()) return {};
+    return [this, &block](const PartialRoot& root, const std::vector<Solution>& solutions) {
+      return std::count_if(solutions.begin(), solutions.end(), [&](const Solution& solution) {
+        const PartialRoot child = child_of(root, block, solution, values_of(solution));
+        return child.proof && !exclusion_at(child, block);
+      });
+    };
   }
 
   static std::vector<KnownValue> values_of(const Solution& solution) {
@@ -370,108 +335,10 @@ class Stages {
     return values;
   }
 
-  /// Where that is clear and no start was asked for, else without solutions: a quadratic equation
-  /// counts as its two paths.
-  SolveResult by_formula(const QuadraticBlock& formula, const PartialRoot& root) {
-    SolveResult result;
-    auto roots = options_.start == StartKind::automatic ? formula.roots(root.value) : std::nullopt;
-    if (!roots) return result;
-    ++formulas_;
-    result.complete = true;
-    result.reduced = roots->size() == 1 ? SystemFacts{{}, {}, 1, 0} : SystemFacts{{"y"}, {2}, 2, 0};
-    result.paths.tracked = result.paths.finite = roots->size();
-    result.start.kind = "formula";
-    result.solutions = std::move(*roots);
-    return result;
-  }
-
-  /// Linear equations that contradict each other have no root: what they leave least of misses them
-  /// when all equations are checked, and a pose may be near. Without solutions where they do not.
-  SolveResult by_least_squares(const LinearBlock& linear, const PartialRoot& root) {
-    SolveResult result;
-    auto x = linear.least_squares(root);
-    if (!x) return result;
-    run_.is_proved = false;
-    result.complete = true;
-    result.reduced.total_degree = 1;
-    result.paths.tracked = result.paths.finite = 1;
-    result.start.kind = "formula";
-    Solution& least = result.solutions.emplace_back();
-    least.x = std::move(*x);
-    least.condition = 1;
-    least.multiplicity = 1;
-    return result;
-  }
-
-  /// From a general member of the class. Its coefficients are real: a complex factor keeps the line
-  /// to this member away from those with fewer poses.
-  std::optional<GivenStart> general_start(const Block& block, const PartialRoot& root) const {
-    const bool is_chosen = options_.start == StartKind::automatic && !options_.known_start;
-    if (!is_of_theorem(block) || !is_chosen) return std::nullopt;
-    const System f = system_at(formulation_.system, block, root);
-    if (eliminate(f).verdict != Reduction::Verdict::square) return std::nullopt;
-    const auto& theorem = formulation_.theorem;
-    const Formulation::GeneralMember member = theorem->general();
-    System general = system_at(member.system, block, root);
-    const Coefficient factor =
-        exactly(random_phase(options_.seed, RandomStream::generic_member, 0));
-    for (Polynomial& p : general.polynomials) p = factor * p;
-    std::vector<Point> roots;
-    for (const Point& known : member.roots) {
-      Point& x = roots.emplace_back();
-      for (const std::size_t v : block.variables) x.push_back(known[v]);
-    }
-    GivenStart start = start_from_member("family", f, general, roots);
-    start.why =
-        "the " + std::to_string(roots.size()) + " poses of " + theorem->of + " in general position";
-    return start;
-  }
-
-  SolveResult followed(const Block& block, const PartialRoot& root) {
-    const System f = system_at(formulation_.system, block, root);
-    const std::optional<GivenStart> start = general_start(block, root);
-    SolveOptions options = options_;
-    const auto paths = total_degree(degrees(f));
-    if (paths && *paths <= kPathsForOneThread) options.threads = 1;
-    const bool are_few = paths && *paths <= kPathsWithoutSearch;
-    if (options.start == StartKind::automatic && are_few) options.start = StartKind::total_degree;
-    if (!start && options.precision == Precision::automatic && prover_.is_on()) {
-      if (auto result = settled_in_double(f, block, root, options)) return std::move(*result);
-    }
-    SolveResult result = start ? solve_from(f, *start, tracker_, options, stop_)
-                               : solve(f, tracker_, options, stop_);
-    if (start && !result.complete && !stop_) {
-      run_.work += result.work;
-      add_solving(result.time, run_.time);
-      result = solve(f, tracker_, options_, stop_);
-    }
-    return result;
-  }
-
-  /// Where a theorem bounds the poses and as many are proved, paths in doubt need no more digits.
-  std::optional<SolveResult> settled_in_double(const System& f, const Block& block,
-                                               const PartialRoot& root, SolveOptions options) {
-    const auto bound = bound_of(block);
-    if (!bound) return std::nullopt;
-    options.precision = Precision::double_precision;
-    SolveResult result = solve(f, tracker_, options, stop_);
-    if (result.complete || stop_) return result;
-    const auto is_proved_pose = [&](const Solution& solution) {
-      const PartialRoot child = child_of(root, block, solution, values_of(solution));
-      return child.proof && !exclusion_at(child, block);
-    };
-    const auto& solutions = result.solutions;
-    const auto proved = std::count_if(solutions.begin(), solutions.end(), is_proved_pose);
-    if (static_cast<std::uint64_t>(proved) >= bound->most) return result;
-    run_.work += result.work;
-    add_solving(result.time, run_.time);
-    return std::nullopt;
-  }
-
   /// The roots of its solve above this one, accounted as if nothing else stood above it.
   void add_roots(const Block& block, std::uint64_t bound, const BlockSolve& solve,
                  const PartialRoot& root, Stage& stage, std::vector<PartialRoot>& next) {
-    const SolveResult& result = solve.result;
+    const BlockRoots& result = solve.result;
     const std::uint64_t first_path = stage.paths.tracked;
     std::vector<PartialRoot> children;
     for (std::size_t k = 0; k < result.solutions.size(); ++k) {
@@ -610,9 +477,7 @@ class Stages {
   const Formulation& formulation_;
   const Formulation* const whole_;
   const std::vector<Block>& blocks_;
-  const Tracker& tracker_;
-  const SolveOptions& options_;
-  const std::atomic<bool>& stop_;
+  const BlockSolving& solving_;
   RootProver& prover_;
   StageRun run_;
   std::vector<std::size_t> unasked_;  ///< equations of the whole, ascending
@@ -633,10 +498,9 @@ void add_solving(const SolveTime& part, SolveTime& sum) {
 }
 
 StageRun solve_blocks(const Formulation& formulation, const std::vector<Block>& blocks,
-                      const Tracker& tracker, const SolveOptions& options,
-                      const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun,
+                      const BlockSolving& solving, RootProver& prover, PartialRoot begun,
                       const Formulation* whole) {
-  return Stages(formulation, blocks, tracker, options, stop, prover, std::move(begun), whole).run();
+  return Stages(formulation, blocks, solving, prover, std::move(begun), whole).run();
 }
 
 }  // namespace moivre

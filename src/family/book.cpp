@@ -60,7 +60,6 @@ std::shared_ptr<const Family> FamilyBook::find_or_learn(const System& f, const T
   of_learning.seed = seed_;
   of_learning.start = StartKind::automatic;
   of_learning.certify = true;
-  of_learning.known_start = nullptr;
   of_learning.progress = nullptr;
   Family family = learn(unlearned, tracker, of_learning, stop);
   if (!family.learning.complete) {
@@ -73,9 +72,9 @@ std::shared_ptr<const Family> FamilyBook::find_or_learn(const System& f, const T
   return families_.back();
 }
 
-std::optional<SolveResult> FamilyBook::solve(const System& f, const Tracker& tracker,
-                                             const SolveOptions& options,
-                                             const std::atomic<bool>& stop) {
+std::optional<GivenStart> FamilyBook::start_of(const System& f, const Tracker& tracker,
+                                               const SolveOptions& options,
+                                               const std::atomic<bool>& stop) {
   Reduction reduction = eliminate(f);
   const System& reduced = reduction.system;
   if (reduction.verdict != Reduction::Verdict::square || has_zero_polynomial(reduced)) {
@@ -85,14 +84,7 @@ std::optional<SolveResult> FamilyBook::solve(const System& f, const Tracker& tra
   if (!family) return std::nullopt;
   GivenStart start = start_of_member(*family, *coefficients_in(*family, reduced), reduced);
   start.reduction = std::move(reduction);
-  return solve_from(f, std::move(start), tracker, options, stop);
-}
-
-void FamilyBook::serve(SolveOptions& options) {
-  options.known_start = [this](const System& f, const Tracker& tracker,
-                               const SolveOptions& the_options, const std::atomic<bool>& stop) {
-    return solve(f, tracker, the_options, stop);
-  };
+  return start;
 }
 
 std::vector<Family> FamilyBook::families() const {

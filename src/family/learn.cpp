@@ -100,7 +100,7 @@ bool has_zero(const Point& x) {
 
 Learning learning_of(const SolveResult& result, bool nonzero) {
   Learning learning;
-  learning.start = result.start.kind;
+  learning.start = to_string(result.start.source);
   learning.paths = result.paths.tracked;
   learning.dropped = result.paths.on_positive_dimensional;
   for (const Solution& root : result.solutions) {

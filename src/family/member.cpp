@@ -23,7 +23,7 @@ GivenStart start_by_parameters(const Family& family, const ParameterValues& p,
   Scaling of_all = start.scaling;
   of_all.variable_log2.resize(family.system.variables.size());
   start.plan = plan_from_roots(
-      "family", Homotopy::parameters(scale(family.system, of_all), family.generic, rounded(p)),
+      Homotopy::parameters(scale(family.system, of_all), family.generic, rounded(p)),
       scaled_roots(family.roots, start.scaling));
   start.why = "the " + counted(family.roots.size(), "root") + " of a generic member";
   return start;
@@ -35,7 +35,7 @@ GivenStart start_of_member(const Family& family, const ParameterValues& p, const
   GivenStart start;
   if (is_linear_in_parameters(family)) {
     const System generic = member_system(family, exact_values(family.generic));
-    start = start_from_member("family", member, generic, family.roots);
+    start = start_from_member(member, generic, family.roots);
   } else {
     start = start_by_parameters(family, p, member);
   }

@@ -188,8 +188,8 @@ std::vector<BranchPose> PairSearch::poses_above(const PairEquations& equations, 
     if (!begun.value[block.variables.front()]) others.push_back(block);
   }
   RootProver prover(there, false);
-  const StageRun run = solve_blocks(there, others, tracker_, run_.options.solve, run_.stop, prover,
-                                    std::move(begun));
+  const BlockSolving solving{tracker_, run_.options.solve, nullptr, run_.stop};
+  const StageRun run = solve_blocks(there, others, solving, prover, std::move(begun));
   if (!run.complete) {
     tell("closures are real " + at_time(time) +
          " for less than a millionth of the motion, and not all of them were found");

@@ -15,7 +15,7 @@ namespace {
 SystemFacts facts(const System& f) { return {f.variables, degrees(f), total_degree(degrees(f))}; }
 
 StartCost total_degree_cost(Reduction::Verdict verdict, const SystemFacts& reduced) {
-  StartCost cost{"total-degree", std::nullopt, ""};
+  StartCost cost{StartSource::total_degree, std::nullopt, ""};
   switch (verdict) {
     case Reduction::Verdict::square:
       cost.paths = reduced.total_degree;
@@ -48,9 +48,9 @@ Scaling identity_of(const System& f) {
   return {std::vector<int>(f.variables.size()), std::vector<int>(f.polynomials.size())};
 }
 
-void add_cost(const std::string& kind, const StartCount& count, const std::string& why,
+void add_cost(StartSource source, const StartCount& count, const std::string& why,
               SystemInfo& info) {
-  info.start_systems.push_back({kind, count.paths, count.paths ? why : count.missing});
+  info.start_systems.push_back({source, count.paths, count.paths ? why : count.missing});
 }
 
 }  // namespace
@@ -83,9 +83,9 @@ SystemInfo inspect(const System& f, const InspectOptions& options) {
     counting.stop = options.stop;
     counting.progress = options.progress;
     info.counts = count_starts(scale(reduction.system, scaling), counting);
-    add_cost("multihomogeneous", info.counts.multihomogeneous,
+    add_cost(StartSource::multihomogeneous, info.counts.multihomogeneous,
              "the least of the partitions of the unknowns that were tried", info);
-    add_cost("polyhedral", info.counts.mixed_volume,
+    add_cost(StartSource::polyhedral, info.counts.mixed_volume,
              "the mixed volume of the monomials, a constant added to each equation", info);
   }
   for (const Omission& omission : reduction.left_out) {

@@ -25,7 +25,7 @@ std::string info_json(const SystemInfo& info, const std::string& file) {
   report["start_systems"] = Json::array();
   for (const StartCost& start : info.start_systems) {
     report["start_systems"].push_back(
-        {{"kind", start.kind}, {"paths", to_json(start.paths)}, {"why", start.why}});
+        {{"kind", to_string(start.source)}, {"paths", to_json(start.paths)}, {"why", start.why}});
   }
   report["start"] = {{"counts", to_json(info.counts)}};
   report["left_out"] = to_json(info.left_out);

@@ -43,7 +43,7 @@ std::string info_text(const SystemInfo& info, const std::string& file) {
   text += "scaling       " + (scaling.empty() ? "none needed" : scaling) + '\n';
   text += "\nPaths of each start system\n";
   for (const StartCost& start : info.start_systems) {
-    text += "  " + start.kind + ": " +
+    text += "  " + to_string(start.source) + ": " +
             (start.paths ? std::to_string(*start.paths) : "not possible") + " (" + start.why +
             ")\n";
   }

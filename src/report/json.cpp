@@ -90,6 +90,7 @@ Json to_json(const PathCounts& paths) {
           {"at_infinity", paths.at_infinity},
           {"failed", paths.failed},
           {"not_needed", paths.not_needed},
+          {"by_count", paths.by_count},
           {"on_positive_dimensional", paths.on_positive_dimensional},
           {"retracked", paths.retracked},
           {"handed_over", paths.handed_over},
@@ -136,7 +137,7 @@ Json to_json(const StartCounts& counts) {
 }
 
 Json to_json(const StartFacts& start) {
-  return {{"kind", start.kind},
+  return {{"kind", to_string(start.source)},
           {"paths", start.paths},
           {"why", start.why},
           {"counts", to_json(start.counts)}};

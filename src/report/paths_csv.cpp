@@ -11,7 +11,7 @@ void write_paths_csv(const TextSink& sink, const SolveResult& result) {
   std::map<std::uint64_t, Failure> reasons;
   for (const FailedPath& path : result.failures) reasons[path.path] = path.failure;
   TextPieces text(sink);
-  text += "path,stage,verdict,solution,reason,precision,followed,handed_over,steps\n";
+  text += "path,stage,verdict,solution,reason,precision,followed,handed_over,steps,by_count\n";
   for (std::uint64_t k = 0; k < result.ledger.size(); ++k) {
     const PathRecord& path = result.ledger[k];
     const bool is_placed = path.solution != PathRecord::kNoSolution;
@@ -22,7 +22,8 @@ void write_paths_csv(const TextSink& sink, const SolveResult& result) {
             (is_placed ? std::to_string(path.solution) : "") + ',' +
             (reason == reasons.end() ? "" : to_string(reason->second)) + ',' +
             to_string(path.precision) + ',' + std::to_string(path.followed) + ',' +
-            (path.handed_over ? "1," : "0,") + std::to_string(path.steps) + '\n';
+            (path.handed_over ? "1," : "0,") + std::to_string(path.steps) +
+            (path.by_count ? ",1\n" : ",0\n");
   }
   text.flush();
 }

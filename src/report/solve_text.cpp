@@ -42,12 +42,16 @@ std::string system_line(const SolveResult& result, const std::string& file) {
 std::string paths_line(const SolveResult& result) {
   const PathCounts& paths = result.paths;
   if (result.start.paths == 0) return "no path to track\n";
-  std::string text = counted(paths.tracked, "path") + " (" + result.start.kind + ", " +
+  std::string text = counted(paths.tracked, "path") + " (" + to_string(result.start.source) + ", " +
                      result.tracker + ", seed " + std::to_string(result.seed) +
                      "): " + std::to_string(paths.finite) + " finite, " +
                      std::to_string(paths.at_infinity) + " at infinity, " +
                      std::to_string(paths.failed) + " failed";
   if (paths.not_needed > 0) text += ", " + std::to_string(paths.not_needed) + " not needed";
+  if (paths.by_count > 0) {
+    text += ", " + std::to_string(paths.by_count) +
+            " of the finite by a count of the roots, not seen there";
+  }
   if (paths.on_positive_dimensional > 0) {
     text += ", " + std::to_string(paths.on_positive_dimensional) +
             " of the finite on sets of positive dimension";

@@ -27,11 +27,18 @@ constexpr double kSingularMargin = 4;
 // Some five megabytes and more.
 constexpr std::size_t kRootsBetweenPages = 1 << 13;
 
-constexpr std::uint64_t PathCounts::*kCounts[]{
-    &PathCounts::tracked,       &PathCounts::finite,        &PathCounts::at_infinity,
-    &PathCounts::failed,        &PathCounts::not_needed,    &PathCounts::on_positive_dimensional,
-    &PathCounts::retracked,     &PathCounts::handed_over,   &PathCounts::mixed,
-    &PathCounts::double_double, &PathCounts::multiprecision};
+constexpr std::uint64_t PathCounts::*kCounts[]{&PathCounts::tracked,
+                                               &PathCounts::finite,
+                                               &PathCounts::at_infinity,
+                                               &PathCounts::failed,
+                                               &PathCounts::not_needed,
+                                               &PathCounts::by_count,
+                                               &PathCounts::on_positive_dimensional,
+                                               &PathCounts::retracked,
+                                               &PathCounts::handed_over,
+                                               &PathCounts::mixed,
+                                               &PathCounts::double_double,
+                                               &PathCounts::multiprecision};
 
 /// Of the cycles of a group; none where its multiplicity was counted, not seen.
 std::vector<int> windings(const Run& run, PathGroups::Group group) {
@@ -230,6 +237,7 @@ void count_paths(const std::vector<PathRecord>& records, PathCounts& counts) {
   counts.tracked = records.size() - count(PathVerdict::open);
   for (const PathRecord& path : records) {
     if (path.verdict == PathVerdict::open) continue;  // an interruption came first
+    if (path.by_count && path.verdict == PathVerdict::finite) ++counts.by_count;
     if (path.followed > 1) ++counts.retracked;
     if (path.handed_over) ++counts.handed_over;
     if (path.precision == PathPrecision::mixed && path.verdict == PathVerdict::finite)

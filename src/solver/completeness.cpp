@@ -179,15 +179,10 @@ Refined point_of(const Run& run, const ExactRoot& exact) {
 }
 
 /// What is known of an end, which is that exact root.
-void enter_exact(Run& run, std::uint64_t path, const ExactRoot& exact, Root&& root) {
+Root at_exact(const Run& run, const ExactRoot& exact, Root root = {}) {
   root.point = point_of(run, exact);
   root.is_exact = true;
-  run.table.enter_root(path, std::move(root));
-}
-
-/// It ends there, whatever was seen of its end.
-void bring(Run& run, std::uint64_t path, const ExactRoot& exact) {
-  enter_exact(run, path, exact, Root{});
+  return root;
 }
 
 /// The exact roots and how many paths each still lacks.
@@ -210,7 +205,7 @@ class Places {
                         relative_distance(place.x, end.point.x) <= end.tolerance;
       if (!fits) continue;
       for (const std::uint64_t path : group) {
-        enter_exact(run, path, place, Root(run.table.roots().at(path)));
+        run.table.enter_root(path, at_exact(run, place, run.table.roots().at(path)));
       }
       place.multiplicity = 0;
       return true;
@@ -218,13 +213,24 @@ class Places {
     return false;
   }
 
-  /// Brings the first paths; the number of those that were needed.
-  std::size_t fill(Run& run, const std::vector<std::uint64_t>& paths) {
+  /// With paths whose ends were seen there, and then with any: of those a count tells no more than
+  /// that so many lead there. The paths that were not needed.
+  std::vector<std::uint64_t> fill(Run& run, std::vector<std::uint64_t> paths) {
+    for (ExactRoot& place : places_) {
+      std::erase_if(paths, [&](std::uint64_t path) {
+        if (place.multiplicity == 0 || !run.table.is_seen_at(path, place.x)) return false;
+        run.table.enter_root(path, at_exact(run, place));
+        --place.multiplicity;
+        return true;
+      });
+    }
     auto next = paths.begin();
     for (const ExactRoot& place : places_) {
-      for (std::uint64_t k = 0; k < place.multiplicity; ++k) bring(run, *next++, place);
+      for (std::uint64_t k = 0; k < place.multiplicity; ++k) {
+        run.table.enter_by_count(*next++, at_exact(run, place));
+      }
     }
-    return static_cast<std::size_t>(next - paths.begin());
+    return {next, paths.end()};
   }
 
  private:
@@ -274,7 +280,7 @@ bool settle_by_bound(Run& run) {
   // Of the paths that are said to be at infinity some are not, and nothing tells which.
   run.bounds.lacks_paths = spare.size() < places.count();
   if (run.bounds.lacks_paths) return false;
-  for (std::size_t k = places.fill(run, spare); k < spare.size(); ++k) run.table.leave(spare[k]);
+  for (const std::uint64_t path : places.fill(run, spare)) run.table.leave(path);
   run.waiting.clear();
   return true;
 }

@@ -115,7 +115,7 @@ void cross_check(const System& f, SolveResult& result, const Tracker& tracker,
                  const std::atomic<bool>& stop) {
   SolveOptions own = options;
   own.fallback = nullptr;
-  own.start = start_kind(result.start.kind).value_or(options.start);
+  own.start = asked_for(result.start.source).value_or(options.start);
   CrossCheck check = compare(result, solve(f, witness, own, stop));
   own.tolerance_level = kSettlingTolerance;
   // The paths of a system that had to be made square are not those that trace_path() follows.

@@ -30,13 +30,12 @@ std::vector<Point> scaled_roots(const std::vector<Point>& roots, const Scaling& 
   return points;
 }
 
-GivenStart start_from_member(std::string kind, const System& f, const System& g,
+GivenStart start_from_member(const System& f, const System& g,
                              const std::vector<Point>& roots_of_g) {
   GivenStart start;
   start.scaling = scaling_to(f);
-  start.plan =
-      plan_from_roots(std::move(kind), Homotopy(scale(f, start.scaling), scale(g, start.scaling)),
-                      scaled_roots(roots_of_g, start.scaling));
+  start.plan = plan_from_roots(Homotopy(scale(f, start.scaling), scale(g, start.scaling)),
+                               scaled_roots(roots_of_g, start.scaling));
   start.why = "the " + counted(roots_of_g.size(), "root") + " of a generic member";
   return start;
 }

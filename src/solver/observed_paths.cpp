@@ -82,7 +82,7 @@ OutcomeKind kind_of(const PathEnd& end) {
 /// plans of given points apart.
 Fingerprint list_of(const PathProblem& problem, const PathList& paths, int tolerance_level) {
   FingerprintMaker maker;
-  maker.add(problem.plan.kind);
+  maker.add(to_string(problem.plan.source));
   for (const Homotopy& stage : problem.plan.stages) add_to(maker, stage);
   add_to(maker, problem.tracker);
   add_endgame(maker, problem.endgame);

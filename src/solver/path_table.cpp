@@ -46,6 +46,7 @@ void PathTable::decide(std::uint64_t path, PathVerdict verdict) {
   }
   if (known.verdict != PathVerdict::open) --count_[static_cast<std::size_t>(known.verdict)];
   known.verdict = verdict;
+  known.by_count = false;
   ++count_[static_cast<std::size_t>(verdict)];
 }
 
@@ -54,6 +55,17 @@ void PathTable::enter_root(std::uint64_t path, Root&& root,
   decide(path, PathVerdict::finite);
   roots_[path] = std::move(root);
   if (beside) beside_[path] = std::move(beside);
+}
+
+void PathTable::enter_by_count(std::uint64_t path, Root&& root) {
+  enter_root(path, std::move(root));
+  record(path).by_count = true;
+}
+
+bool PathTable::is_seen_at(std::uint64_t path, const Point& x) const {
+  const auto root = roots_.find(path);
+  return root != roots_.end() && !refuted_.contains(path) &&
+         relative_distance(x, root->second.point.x) <= root->second.tolerance;
 }
 
 const Certificate* PathTable::beside(std::uint64_t path) const {

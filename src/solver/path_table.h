@@ -39,11 +39,15 @@ struct Root {
 
 class PathTable {
  public:
-  /// Each takes the place of what was entered of the path before. beside: of a simple root that is
+  /// Each takes the place of what was entered of the path before. by_count: its end was not seen,
+  /// so many have to lead to that root. beside: of a simple root that is
   /// no further than the tolerance from this end, and not it, as far as the end is known coordinate
   /// by coordinate.
   void enter_root(std::uint64_t path, Root&& root,
                   std::shared_ptr<const Certificate> beside = nullptr);
+  void enter_by_count(std::uint64_t path, Root&& root);
+  /// What was seen of its end is that point.
+  bool is_seen_at(std::uint64_t path, const Point& x) const;
   void enter_infinity(std::uint64_t path, bool is_as_rounded = false);
   /// last: where it was last, on the system as given; empty where that is nowhere.
   void enter_failure(const FailedPath& failure, Point last = {});

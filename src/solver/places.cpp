@@ -57,14 +57,19 @@ std::vector<ProvedPlace> free_places(const Run& run, std::vector<ProvedPlace> pl
 }
 
 void enter_place(Run& run, Refiner& refiner, std::uint64_t path, const ProvedPlace& place) {
-  if (place.certificate) {
-    return run.table.enter_root(path, proved_root(refiner, place.certificate));
-  }
   Root root;
-  root.point = refiner.keep(place.place.x, std::numeric_limits<double>::epsilon(), 1);
-  root.point.accuracy = std::numeric_limits<double>::epsilon();
-  root.is_exact = true;
-  run.table.enter_root(path, std::move(root));
+  if (place.certificate) {
+    root = proved_root(refiner, place.certificate);
+  } else {
+    root.point = refiner.keep(place.place.x, std::numeric_limits<double>::epsilon(), 1);
+    root.point.accuracy = std::numeric_limits<double>::epsilon();
+    root.is_exact = true;
+  }
+  if (run.table.is_seen_at(path, place.place.x)) {
+    run.table.enter_root(path, std::move(root));
+  } else {
+    run.table.enter_by_count(path, std::move(root));
+  }
 }
 
 }  // namespace moivre

@@ -65,7 +65,7 @@ void take_start(const System& f, const SolveOptions& options, const std::atomic<
   prepared.interrupted = !chosen.plan;
   prepared.start.counts = chosen.counts;
   if (!chosen.plan) return;
-  prepared.start.kind = chosen.plan->kind;
+  prepared.start.source = chosen.plan->source;
   prepared.start.paths = chosen.plan->paths;
   prepared.start.why = chosen.why;
   prepared.plan = std::move(chosen.plan);
@@ -140,7 +140,8 @@ Prepared with_or_without_elimination(const System& f, const SolveOptions& option
   if (!may_have_fewer_paths_whole(reduced, options)) return reduced;
   Prepared whole = prepare_reduced(keep_everything(f), options, stop);
   if (whole.interrupted) return whole;
-  if (whole.start.kind != "polyhedral" || expected_cost(whole) >= expected_cost(reduced)) {
+  if (whole.start.source != StartSource::polyhedral ||
+      expected_cost(whole) >= expected_cost(reduced)) {
     return reduced;
   }
   whole.left_out.push_back({"elimination of linear equations",
@@ -180,7 +181,7 @@ Prepared prepare_given(const System& f, GivenStart start) {
   prepared.reduction = start.reduction ? std::move(*start.reduction) : keep_everything(f);
   prepared.scaling = std::move(start.scaling);
   prepared.spread_log2 = spread_log2(scale(prepared.reduction.system, prepared.scaling));
-  prepared.start.kind = start.plan.kind;
+  prepared.start.source = start.plan.source;
   prepared.start.paths = start.plan.paths;
   prepared.start.why = std::move(start.why);
   for (StartCount* count :

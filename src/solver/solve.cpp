@@ -200,10 +200,10 @@ SolveResult solve_again(const System& f, const Tracker& tracker, SolveOptions op
   }
   std::erase_if(first.solutions, [](const Solution& root) { return root.certified != true; });
   if (compare(second, first).missed > 0) {
-    put_in_doubt(second, "a certified root of the " + first.start.kind +
+    put_in_doubt(second, "a certified root of the " + to_string(first.start.source) +
                              " start is missing among those of --start polyhedral");
   }
-  second.left_out.push_back({"the " + first.start.kind + " start",
+  second.left_out.push_back({"the " + to_string(first.start.source) + " start",
                              std::to_string(first.paths.failed) + " of its " +
                                  counted(first.paths.tracked, "path") +
                                  " were undecided; the result is from --start polyhedral"});
@@ -215,9 +215,9 @@ SolveResult solve_again(const System& f, const Tracker& tracker, SolveOptions op
 SolveResult solve_by_starts(const System& f, const Tracker& tracker, const SolveOptions& options,
                             const std::atomic<bool>& stop) {
   SolveResult result = solve_square(f, tracker, options, stop);
-  const bool is_last = result.complete || stop || !options.second_start ||
-                       options.start != StartKind::automatic || result.start.kind == "polyhedral" ||
-                       result.start.paths > kMostPathsTwice;
+  const bool is_last =
+      result.complete || stop || !options.second_start || options.start != StartKind::automatic ||
+      result.start.source == StartSource::polyhedral || result.start.paths > kMostPathsTwice;
   if (is_last) return result;
   return solve_again(f, tracker, options, stop, std::move(result));
 }
@@ -231,9 +231,6 @@ void leave_out_certificates(SolveResult& result) {
 SolveResult solve_any(const System& f, const Tracker& tracker, const SolveOptions& options,
                       const std::atomic<bool>& stop) {
   if (is_square(f)) {
-    if (options.known_start) {
-      if (auto known = options.known_start(f, tracker, options, stop)) return std::move(*known);
-    }
     const PowerFree bases = power_free(f);
     SolveResult result = solve_by_starts(bases.system, tracker, options, stop);
     if (bases.sheets > 1) take_back_powers(f, bases, result);

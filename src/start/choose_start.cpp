@@ -233,28 +233,6 @@ class Chooser {
 
 }  // namespace
 
-std::string to_string(StartKind kind) {
-  switch (kind) {
-    case StartKind::automatic:
-      return "auto";
-    case StartKind::total_degree:
-      return "total-degree";
-    case StartKind::multihomogeneous:
-      return "multihomogeneous";
-    case StartKind::polyhedral:
-      return "polyhedral";
-  }
-  return "";
-}
-
-std::optional<StartKind> start_kind(const std::string& name) {
-  for (const StartKind kind : {StartKind::automatic, StartKind::total_degree,
-                               StartKind::multihomogeneous, StartKind::polyhedral}) {
-    if (to_string(kind) == name) return kind;
-  }
-  return std::nullopt;
-}
-
 double cost_of_paths(const System& f, std::uint64_t paths) {
   return kInfinityCost * static_cast<double>(paths) * path_cost(f);
 }

@@ -21,7 +21,7 @@ std::optional<StartPlan> multihomogeneous_plan(const System& f, const Partition&
   LinearProductStart start = linear_product_start(f, groups, seed);
   const std::optional<System> g = start_system(start, f.variables);
   if (!g) return std::nullopt;
-  StartPlan plan{"multihomogeneous", start.paths, {}, nullptr};
+  StartPlan plan{StartSource::multihomogeneous, start.paths, {}, nullptr};
   plan.stages.emplace_back(f, *g);
   plan.points = std::make_shared<LinearProductPoints>(std::move(start));
   return plan;

@@ -159,7 +159,7 @@ StartPlan polyhedral_plan(const System& f, MixedSubdivision cells, std::uint64_t
   const Homotopy toric = Homotopy::toric(g);
   auto points =
       std::make_shared<PolyhedralPoints>(toric, std::move(cells), std::move(coefficients));
-  StartPlan plan{"polyhedral", points->paths(), {}, points};
+  StartPlan plan{StartSource::polyhedral, points->paths(), {}, points};
   plan.stages.push_back(toric);
   plan.stages.push_back(Homotopy::framed(f, g));
   return plan;

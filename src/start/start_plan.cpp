@@ -38,21 +38,21 @@ class OwnPoint : public StartPoints {
 
 StartPlan total_degree_plan(const System& f, std::uint64_t seed) {
   TotalDegreeStart start = total_degree_start(degrees(f), seed);
-  StartPlan plan{"total-degree", start.paths, {}, nullptr};
+  StartPlan plan{StartSource::total_degree, start.paths, {}, nullptr};
   plan.stages.emplace_back(f, start_system(start, f.variables));
   plan.points = std::make_shared<TotalDegreePoints>(std::move(start));
   return plan;
 }
 
-StartPlan plan_from_roots(std::string kind, Homotopy homotopy, std::vector<Point> roots) {
-  StartPlan plan{std::move(kind), roots.size(), {}, nullptr};
+StartPlan plan_from_roots(Homotopy homotopy, std::vector<Point> roots) {
+  StartPlan plan{StartSource::family, roots.size(), {}, nullptr};
   plan.stages.push_back(std::move(homotopy));
   plan.points = std::make_shared<KnownRoots>(std::move(roots));
   return plan;
 }
 
 StartPlan own_plan(const System& f, const System& g, Point start) {
-  StartPlan plan{"own", 1, {}, std::make_shared<OwnPoint>(std::move(start))};
+  StartPlan plan{StartSource::own, 1, {}, std::make_shared<OwnPoint>(std::move(start))};
   plan.stages.emplace_back(f, g);
   return plan;
 }

@@ -45,7 +45,7 @@ class Sweep {
         closures_(options.closures),
         observed_(varied, tracker, options),
         stop_(stop) {
-    book.serve(closures_.solve);
+    closures_.starts = &book;
     closures_.solve.threads = 1;
     closures_.certify = false;  // counts of many members
     closures_.solve.progress = nullptr;

@@ -16,10 +16,10 @@ std::vector<Eigen::Isometry3d> random_poses(const Arm& arm, std::uint64_t count)
   return poses;
 }
 
-std::size_t answered_by(const std::vector<ArmResult>& results, const std::string& kind) {
+std::size_t answered_by(const std::vector<ArmResult>& results, StartSource source) {
   return static_cast<std::size_t>(
       std::count_if(results.begin(), results.end(),
-                    [&kind](const ArmResult& result) { return result.start.kind == kind; }));
+                    [source](const ArmResult& result) { return result.start.source == source; }));
 }
 
 void expect_same(const Arm& arm, const ArmResult& a, const ArmResult& b) {
@@ -47,7 +47,7 @@ TEST(ManyPosesTest, HaveTheClosuresThatEachHasAlone) {
     const auto poses = random_poses(arm, 12);
     const auto many = find_arm_closures(arm, poses, lanes(), one_thread());
     ASSERT_EQ(many.size(), poses.size());
-    EXPECT_GE(answered_by(many, "formula"), 11U);
+    EXPECT_GE(answered_by(many, StartSource::formula), 11U);
     for (std::size_t k = 0; k < poses.size(); ++k) {
       expect_same(arm, many[k], find_arm_closures(arm, poses[k], lanes(), one_thread(k + 5)));
     }
@@ -69,8 +69,8 @@ TEST(ManyPosesTest, SpecialPosesAmongThemAreSolvedAlone) {
   const auto many = find_arm_closures(arm, poses, lanes(), one_thread());
   ASSERT_EQ(many.size(), poses.size());
   EXPECT_FALSE(many[3].moves.empty());
-  EXPECT_EQ(many[3].start.kind, "approach");
-  EXPECT_EQ(answered_by(many, "formula"), poses.size() - 1);
+  EXPECT_EQ(many[3].start.source, StartSource::approach);
+  EXPECT_EQ(answered_by(many, StartSource::formula), poses.size() - 1);
   EXPECT_TRUE(many.back().closures.empty());
   for (const std::size_t k : {std::size_t{3}, std::size_t{5}, poses.size() - 1}) {
     SCOPED_TRACE(k);
@@ -121,7 +121,7 @@ TEST(ManyPosesTest, OfFiveJointsHaveTheClosuresAndTheNearestPostureThatEachHasAl
   auto poses = random_poses(arm, 8);
   poses.back().translation().x() += 0.3;  // cannot be held
   const auto many = find_arm_closures(arm, poses, lanes(), one_thread());
-  EXPECT_GE(answered_by(many, "formula"), 7U);
+  EXPECT_GE(answered_by(many, StartSource::formula), 7U);
   for (std::size_t k = 0; k < poses.size(); ++k) {
     SCOPED_TRACE(k);
     const ArmResult alone = find_arm_closures(arm, poses[k], lanes(), one_thread(k + 5));
@@ -137,7 +137,7 @@ TEST(ManyPosesTest, OfFiveJointsHaveTheClosuresAndTheNearestPostureThatEachHasAl
 TEST(ManyPosesTest, EveryRandomPoseOfAGeneralArmIsAnsweredByTheFormula) {
   const auto many = find_arm_closures(arm_of(kManseurDoty), random_poses(arm_of(kManseurDoty), 100),
                                       lanes(), one_thread());
-  EXPECT_EQ(answered_by(many, "formula"), 100U);
+  EXPECT_EQ(answered_by(many, StartSource::formula), 100U);
 }
 
 /// Five turns and a slide, no three of which make a group.
@@ -152,7 +152,7 @@ TEST(ManyPosesTest, PosesOfAGeneralArmWithASlideAreAnsweredByTheFamily) {
   const Arm arm = general_arm_with_slide();
   const auto poses = random_poses(arm, 20);
   const auto many = find_arm_closures(arm, poses, lanes(), one_thread());
-  EXPECT_GE(answered_by(many, "family"), 19U);
+  EXPECT_GE(answered_by(many, StartSource::family), 19U);
   // With seed 7 the regular pose has closures at which the slide is far from real.
   for (std::size_t k = 0; k < 3; ++k) {
     expect_same(arm, many[k], find_arm_closures(arm, poses[k], lanes(), one_thread(k + 5)));
@@ -162,7 +162,7 @@ TEST(ManyPosesTest, PosesOfAGeneralArmWithASlideAreAnsweredByTheFamily) {
 TEST(ManyPosesTest, FewPosesOfAGeneralArmWithASlideAreSolvedOneByOne) {
   const Arm arm = general_arm_with_slide();
   const auto many = find_arm_closures(arm, random_poses(arm, 3), lanes(), one_thread());
-  EXPECT_EQ(answered_by(many, "family"), 0U);
+  EXPECT_EQ(answered_by(many, StartSource::family), 0U);
 }
 
 TEST(ManyPosesTest, AStartThatIsAskedForIsTaken) {
@@ -170,7 +170,7 @@ TEST(ManyPosesTest, AStartThatIsAskedForIsTaken) {
   SolveOptions options = one_thread();
   options.start = StartKind::total_degree;
   const auto many = find_arm_closures(arm, random_poses(arm, 9), lanes(), options);
-  EXPECT_EQ(answered_by(many, "formula") + answered_by(many, "family"), 0U);
+  EXPECT_EQ(answered_by(many, StartSource::formula) + answered_by(many, StartSource::family), 0U);
 }
 
 }  // namespace

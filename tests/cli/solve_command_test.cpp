@@ -217,7 +217,8 @@ TEST(SolveCommand, ListsEveryPathAndItsRoot) {
   std::istringstream table(scene.read("paths.csv"));
   std::string line;
   std::getline(table, line);
-  EXPECT_EQ(line, "path,stage,verdict,solution,reason,precision,followed,handed_over,steps");
+  EXPECT_EQ(line,
+            "path,stage,verdict,solution,reason,precision,followed,handed_over,steps,by_count");
   std::uint64_t path = 0;
   std::vector<std::uint64_t> to(json["solutions"].size());
   std::map<std::string, std::uint64_t> ends;

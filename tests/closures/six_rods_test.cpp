@@ -110,7 +110,7 @@ TEST(SixRodsInGeneral, LeadToAllPosesByFortyPaths) {
     const ClosureResult result = closures_of(mechanism_file(file), 7);
     EXPECT_TRUE(result.complete) << file;
     EXPECT_EQ(result.paths.tracked, kAllPoses) << file;
-    EXPECT_EQ(result.start.kind, "family") << file;
+    EXPECT_EQ(result.start.source, StartSource::family) << file;
   }
 }
 
@@ -126,7 +126,7 @@ TEST(SixRodsInGeneral, GiveWayToTheStartThatIsAskedFor) {
   options.solve.start = StartKind::polyhedral;
   const ClosureResult result =
       find_closures(mechanism_file("dietmaier"), *make_cvode_tracker(), options);
-  EXPECT_EQ(result.start.kind, "polyhedral");
+  EXPECT_EQ(result.start.source, StartSource::polyhedral);
   EXPECT_EQ(result.counts.complex, kAllPoses);
 }
 

@@ -112,7 +112,7 @@ TEST(SolveMember, FindsTheRootsOfADirectSolveWithBothTrackers) {
     for (const Tracker* tracker : {lanes.get(), cvode.get()}) {
       const SolveResult result = solve_member(family, p, *tracker, with_seed(1));
       EXPECT_TRUE(result.complete) << result.message;
-      EXPECT_EQ(result.start.kind, "family");
+      EXPECT_EQ(result.start.source, StartSource::family);
       EXPECT_EQ(result.paths.tracked, 4U);
       EXPECT_EQ(result.completeness, RootCompleteness::proved);
       EXPECT_TRUE(are_same(points_of(result), points_of(direct), 1e-9));

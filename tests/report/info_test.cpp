@@ -19,7 +19,8 @@ TEST(Info, CountsThePathsOfWhatIsLeftAfterElimination) {
   EXPECT_EQ(info.system.total_degree, 4U);
   EXPECT_EQ(info.reduced.variables.size(), 2U);
   ASSERT_EQ(info.start_systems.size(), 3U);
-  for (const StartCost& start : info.start_systems) EXPECT_EQ(start.paths, 4U) << start.kind;
+  for (const StartCost& start : info.start_systems)
+    EXPECT_EQ(start.paths, 4U) << to_string(start.source);
   EXPECT_FALSE(info.left_out.empty());
 }
 

@@ -29,8 +29,9 @@ TEST(SolveJson, HoldsTheContractsKeysAndValues) {
   EXPECT_EQ(json["reduced"], Json::parse(R"({"variables":2,"degrees":[2,3]})"));
   EXPECT_EQ(json["start"]["kind"], "total-degree");
   EXPECT_EQ(json["start"]["paths"], 6);
-  EXPECT_EQ(json["paths"],
-            Json::parse(R"({"tracked":6,"finite":3,"at_infinity":1,"failed":2,"not_needed":0,
+  EXPECT_EQ(
+      json["paths"],
+      Json::parse(R"({"tracked":6,"finite":3,"at_infinity":1,"failed":2,"not_needed":0,"by_count":0,
                                            "on_positive_dimensional":0,"retracked":4,"handed_over":0,"mixed":1,"double_double":2,"multiprecision":0})"));
   EXPECT_EQ(json["left_out"],
             Json::parse(R"([{"what":"z eliminated","why":"a linear equation gives it"}])"));

@@ -78,12 +78,25 @@ TEST(PathsCsv, HasALineForEachPathWhateverBecameOfIt) {
   left.verdict = PathVerdict::not_needed;
   result.ledger = {finite, on_set, failed, left};
   result.failures = {{2, Failure::precision, 1}};
+  PathRecord by_count = finite;
+  by_count.by_count = true;
+  result.ledger.push_back(by_count);
   EXPECT_EQ(paths_csv(result),
-            "path,stage,verdict,solution,reason,precision,followed,handed_over,steps\n"
-            "0,0,finite,3,,double,1,0,84\n"
-            "1,0,on a set,,,double,1,0,84\n"
-            "2,1,failed,,precision,double-double,4,1,0\n"
-            "3,0,not needed,,,double,0,0,0\n");
+            "path,stage,verdict,solution,reason,precision,followed,handed_over,steps,by_count\n"
+            "0,0,finite,3,,double,1,0,84,0\n"
+            "1,0,on a set,,,double,1,0,84,0\n"
+            "2,1,failed,,precision,double-double,4,1,0,0\n"
+            "3,0,not needed,,,double,0,0,0,0\n"
+            "4,0,finite,3,,double,1,0,84,1\n");
+}
+
+TEST(SolveText, TellsHowManyPathsNobodySawAtTheirRoot) {
+  SolveResult result = hand_made_result();
+  result.paths.by_count = 1;
+  const std::string text = solve_text(result, "two.phc");
+  EXPECT_NE(text.find("2 failed, 1 of the finite by a count of the roots, not seen there;"),
+            std::string::npos)
+      << text;
 }
 
 const std::string kAccountOfTwo =

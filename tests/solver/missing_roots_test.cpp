@@ -56,6 +56,26 @@ TEST(MissingRoots, AreFoundBesideTheReferenceTrackerToo) {
   expect_nine_proved(solve_with_cvode(oscillators("1.1"), options));
 }
 
+// One root of thirteen lies where no path is seen to end: exact algebra has it, and a path that was
+// seen elsewhere is entered for it.
+TEST(MissingRoots, CountAPathThatNobodySawThereAsOneByCount) {
+  const System f = read_system(
+      {"far-root",
+       "2\n 600000000*x^3*y^2-80000000*x^2*y^3-600*x^2+9000000*x*y^3-20;\n"
+       " -10*x^3*y^3+10000*x^2*y^2-700000*x^2*y-300*x^2+700000000*x*y^2+80000*x-3000;\n"});
+  const auto lanes = make_lane_tracker();
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    SCOPED_TRACE(seed);
+    SolveOptions options = with_seed(seed);
+    options.start = StartKind::total_degree;
+    const SolveResult result = solve(f, *lanes, options);
+    EXPECT_EQ(result.solutions.size(), 13U);
+    EXPECT_EQ(result.completeness, RootCompleteness::proved);
+    expect_conservation(result);
+    EXPECT_EQ(result.paths.by_count, 1U);
+  }
+}
+
 // Four roots of size 3e6 beside double ones at infinity: a change of the last digits moves two
 // there.
 TEST(MissingRoots, OfPathsAtInfinityWithinTheDigitsAreThoseOfTheFileToTheLetter) {

@@ -71,6 +71,9 @@ inline void expect_conservation(const SolveResult& result) {
   EXPECT_EQ(paths.finite,
             sum_of_multiplicities(result) + paths.on_positive_dimensional + result.excess);
   EXPECT_EQ(paths.failed, result.failures.size());
+  EXPECT_EQ(paths.by_count, static_cast<std::uint64_t>(std::count_if(
+                                result.ledger.begin(), result.ledger.end(),
+                                [](const PathRecord& path) { return path.by_count; })));
   EXPECT_LE(paths.retracked, result.start.paths);
   EXPECT_LE(paths.mixed, paths.finite);
   EXPECT_LE(paths.mixed + paths.double_double + paths.multiprecision, paths.tracked);

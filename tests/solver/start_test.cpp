@@ -39,12 +39,12 @@ TEST(Start, EveryOneLeadsToTheRootsOfTheIndexWithBothTrackers) {
 TEST(Start, AutomaticTakesTheMixedVolumeWhereTheDegreesPromiseMore) {
   const SolveResult eco =
       solve_with_cvode(system_of(problem("eco-6")), with_start(StartKind::automatic, 3));
-  EXPECT_EQ(eco.start.kind, "polyhedral");
+  EXPECT_EQ(eco.start.source, StartSource::polyhedral);
   EXPECT_EQ(eco.start.paths, 16U);
   EXPECT_EQ(eco.start.counts.mixed_volume.paths, std::optional<std::uint64_t>(16));
   const SolveResult katsura =
       solve_with_cvode(system_of(problem("katsura-5")), with_start(StartKind::automatic, 3));
-  EXPECT_EQ(katsura.start.kind, "total-degree");
+  EXPECT_EQ(katsura.start.source, StartSource::total_degree);
   EXPECT_EQ(katsura.start.counts.mixed_volume.paths, katsura.start.counts.total_degree.paths);
 }
 
@@ -78,7 +78,7 @@ TEST(Start, FindsRootsWithZeroCoordinates) {
 TEST(Start, OfOneGroupIsThatOfTheTotalDegree) {
   const System f = system_of(problem("cyclic-5"));
   const SolveResult result = solve_with_cvode(f, with_start(StartKind::multihomogeneous, 3));
-  EXPECT_EQ(result.start.kind, to_string(StartKind::total_degree));
+  EXPECT_EQ(result.start.source, StartSource::total_degree);
   EXPECT_EQ(result.start.counts.multihomogeneous.paths, result.start.counts.total_degree.paths);
   EXPECT_EQ(result.solutions.size(), 70U);
 }

@@ -188,7 +188,7 @@ void for_each_pose(const Arm& arm, const std::vector<Eigen::Isometry3d>& poses,
                    const std::atomic<bool>& stop = std::atomic<bool>{false});
 
 /// The same for many poses, options.threads of them at once. Equations are solved once for the arm;
-/// a formula (start.kind "formula") or paths ("family") lead to every pose. A set `stop` leaves out
+/// a formula (start.source) or paths (of a family) lead to every pose. A set `stop` leaves out
 /// the poses that are not begun, so that the result is shorter. Progress counts poses.
 std::vector<ArmResult> find_arm_closures(const Arm& arm, const std::vector<TypedPose>& poses,
                                          const Tracker& tracker, const SolveOptions& options = {},

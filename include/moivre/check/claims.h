@@ -59,7 +59,7 @@ struct StartClaim {
 
 struct PathClaim {
   std::uint64_t tracked = 0, finite = 0, at_infinity = 0, failed = 0, on_positive_dimensional = 0;
-  std::uint64_t not_needed = 0;
+  std::uint64_t not_needed = 0, by_count = 0;
   std::optional<std::uint64_t> retracked, handed_over;
 };
 

@@ -37,9 +37,14 @@
 
 namespace moivre {
 
+class KnownStarts;
+
 struct ClosureOptions {
   double time = 0;  ///< of the drivers, seconds
   SolveOptions solve;
+  /// Asked for the start of each group of bodies before another one is looked for. Not owned, may
+  /// be nullptr.
+  KnownStarts* starts = nullptr;
   /// Roots by proof, where solve.certify says so too and the program has digits beyond double.
   bool certify = true;
   bool with_mobility = false;  ///< ClosureResult::mobility

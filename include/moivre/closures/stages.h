@@ -107,13 +107,20 @@ double rounding_left(const Formulation& formulation);
 /// common.
 void add_solving(const SolveTime& part, SolveTime& sum);
 
+/// With what blocks are solved.
+struct BlockSolving {
+  const Tracker& tracker;
+  const SolveOptions& options;
+  KnownStarts* starts;  ///< ClosureOptions::starts
+  const std::atomic<bool>& stop;
+};
+
 /// Solves the blocks in turn, and proves their roots where the prover does. `begun`: what is known
 /// before. `whole`: of the same unknowns, all equations that a pose has to satisfy. A root of the
 /// first blocks that is not real and at which one of them fails is taken away as soon as its
 /// unknowns are known; with lengths that are off by much, as a fit allows, a pose may be near.
 StageRun solve_blocks(const Formulation& formulation, const std::vector<Block>& blocks,
-                      const Tracker& tracker, const SolveOptions& options,
-                      const std::atomic<bool>& stop, RootProver& prover, PartialRoot begun = {},
+                      const BlockSolving& solving, RootProver& prover, PartialRoot begun = {},
                       const Formulation* whole = nullptr);
 
 }  // namespace moivre

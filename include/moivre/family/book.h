@@ -18,18 +18,16 @@
 
 namespace moivre {
 
-class FamilyBook {
+class FamilyBook : public KnownStarts {
  public:
   /// seed: of what is learned.
   explicit FamilyBook(std::vector<Family> families = {}, std::uint64_t seed = 1);
 
-  /// The result for f by a family; nullopt if elimination alone decides, or no family could be
+  /// From the roots of f's family; nullopt if elimination alone decides, or no family could be
   /// learned.
-  std::optional<SolveResult> solve(const System& f, const Tracker& tracker,
-                                   const SolveOptions& options, const std::atomic<bool>& stop);
-
-  /// Makes solve() ask this cache first. It must outlive every use of the options.
-  void serve(SolveOptions& options);
+  std::optional<GivenStart> start_of(const System& f, const Tracker& tracker,
+                                     const SolveOptions& options,
+                                     const std::atomic<bool>& stop) override;
 
   std::vector<Family> families() const;
   /// How many were learned since it was made.

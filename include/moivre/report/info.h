@@ -18,7 +18,7 @@ namespace moivre {
 
 /// A start system and what it would cost.
 struct StartCost {
-  std::string kind;
+  StartSource source = StartSource::total_degree;
   std::optional<std::uint64_t> paths;  ///< nullopt: beyond 64 bits, or the system cannot be solved
   std::string why;
 };

@@ -10,8 +10,6 @@
 // Source: [SommeseWampler05, ch. 7].
 #pragma once
 
-#include <string>
-
 #include "moivre/solver/given_start.h"
 #include "moivre/solver/solve.h"
 
@@ -24,7 +22,8 @@ Scaling scaling_to(const System& member);
 /// The roots in the units of the scaling, homogeneous.
 std::vector<Point> scaled_roots(const std::vector<Point>& roots, const Scaling& scaling);
 
-GivenStart start_from_member(std::string kind, const System& f, const System& g,
+/// From the roots of g to those of f.
+GivenStart start_from_member(const System& f, const System& g,
                              const std::vector<Point>& roots_of_g);
 
 }  // namespace moivre

@@ -39,6 +39,7 @@
 namespace moivre {
 
 class Observations;
+struct GivenStart;
 
 struct Progress {
   std::uint64_t done = 0;
@@ -94,15 +95,20 @@ struct SolveOptions {
   /// Asked for the ends of paths before these are followed, and told those that were. Not owned,
   /// may be nullptr.
   Observations* observations = nullptr;
-  /// Asked first for a start that it knows for a square system; nullopt if it knows none.
-  /// Thread-safe.
-  std::function<std::optional<SolveResult>(const System& f, const Tracker& tracker,
-                                           const SolveOptions& options,
-                                           const std::atomic<bool>& stop)>
-      known_start = {};
   /// Called after each path, from any thread, never twice at once; may be empty. What it throws
   /// ends the run, when the paths under way have ended, and is thrown to the caller.
   std::function<void(const Progress&)> progress;
+};
+
+/// What knows starts of systems that come one by one, as a cache of families does. Thread-safe.
+class KnownStarts {
+ public:
+  virtual ~KnownStarts() = default;
+  /// Of f, square and without homogeneous groups; nullopt where it knows none. The tracker, the
+  /// options and `stop` are for what it may have to learn first.
+  virtual std::optional<GivenStart> start_of(const System& f, const Tracker& tracker,
+                                             const SolveOptions& options,
+                                             const std::atomic<bool>& stop) = 0;
 };
 
 /// Every broken rule as a sentence; empty when the options can be used.
@@ -154,6 +160,8 @@ struct PathCounts {
   std::uint64_t mixed = 0;           ///< to finite ends, that needed residuals in double-double
   std::uint64_t double_double = 0;   ///< that needed double-double throughout
   std::uint64_t multiprecision = 0;  ///< that needed more digits
+  /// Of the finite ones: their ends were not seen, a count says that so many lead to a root.
+  std::uint64_t by_count = 0;
 
   PathCounts& operator+=(const PathCounts& other);
   PathCounts& operator*=(std::uint64_t sheets);
@@ -190,6 +198,7 @@ struct PathRecord {
   PathVerdict verdict = PathVerdict::open;
   PathPrecision precision = PathPrecision::double_precision;
   bool handed_over = false;  ///< to SolveOptions::fallback
+  bool by_count = false;     ///< PathCounts::by_count
 };
 
 /// A step that this system did not need, or that was replaced by another.
@@ -206,7 +215,7 @@ struct SystemFacts {
 };
 
 struct StartFacts {
-  std::string kind = "total-degree";
+  StartSource source = StartSource::total_degree;
   std::uint64_t paths = 0;
   std::string why;
   StartCounts counts;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "moivre/homotopy/homotopy.h"
+#include "moivre/start/start_kind.h"
 #include "moivre/start/total_degree.h"
 
 namespace moivre {
@@ -34,7 +35,7 @@ class StartPoints {
 };
 
 struct StartPlan {
-  std::string kind;  ///< "total-degree", "multihomogeneous", "polyhedral", "own", "family"
+  StartSource source = StartSource::total_degree;
   std::uint64_t paths = 0;
   std::vector<Homotopy> stages;
   std::shared_ptr<const StartPoints> points;
@@ -46,7 +47,7 @@ struct StartPlan {
 StartPlan total_degree_plan(const System& f, std::uint64_t seed);
 
 /// Along `homotopy`, from roots that are known at its t = 0, homogeneous: a path from each.
-StartPlan plan_from_roots(std::string kind, Homotopy homotopy, std::vector<Point> roots);
+StartPlan plan_from_roots(Homotopy homotopy, std::vector<Point> roots);
 
 /// t F + (1 - t) G from one point near a root of G, homogeneous; path 0.
 StartPlan own_plan(const System& f, const System& g, Point start);
