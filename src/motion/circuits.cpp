@@ -14,6 +14,7 @@
 #include "branch_joins.h"
 #include "courses.h"
 #include "moivre/numeric/invalid_input.h"
+#include "motion_sentences.h"
 
 namespace moivre {
 namespace {
@@ -215,8 +216,7 @@ class CircuitFinder {
         [](const Circuit& circuit) { return circuit.driver_motion == DriverMotion::open; });
     if (found.is_full_turn && is_open && motion_.complete) {
       found.is_full_turn = false;
-      found.notes.emplace_back(
-          "the turn ends in other poses than it began with, as gears do: circuits go on beyond it");
+      found.notes.push_back(circuit_note(CircuitNote::turn_ends_in_other_poses));
     }
     return found;
   }
@@ -302,28 +302,22 @@ class CircuitFinder {
   std::vector<std::string> notes() const {
     std::vector<std::string> notes;
     if (!motion_.complete) {
-      notes.emplace_back("the motion is not complete: circuits that are listed apart may be one");
+      notes.push_back(circuit_note(CircuitNote::motion_incomplete));
     }
     if (motion_.checkpoints.empty()) {
-      notes.emplace_back("no closures were solved: there may be other circuits");
+      notes.push_back(circuit_note(CircuitNote::no_closures));
     }
     if (mechanism_.drivers.size() > 1) {
-      notes.emplace_back(
-          "the drivers move together as prescribed: another motion of theirs may join circuits");
+      notes.push_back(circuit_note(CircuitNote::drivers_move_together));
     }
     for (const Driver& driver : mechanism_.drivers) {
       if (!turns_back(driver, motion_)) continue;
-      notes.push_back("driver '" + driver.name +
-                      "' turns back: a circuit that it goes through twice is listed twice");
+      notes.push_back(turning_driver_note(driver.name));
     }
     if (turns_of_drivers(mechanism_, motion_) > 1 + kOver) {
-      notes.emplace_back(
-          "the drivers go more than one turn: a circuit may be listed once per turn");
+      notes.push_back(circuit_note(CircuitNote::more_than_one_turn));
     } else if (!drivers_return(mechanism_, motion_)) {
-      notes.emplace_back(
-          "the drivers do not come back to where they began: circuits may be joined outside of "
-          "this "
-          "range");
+      notes.push_back(circuit_note(CircuitNote::drivers_do_not_return));
     }
     return notes;
   }
@@ -353,7 +347,7 @@ Circuits find_circuits(const Mechanism& mechanism, const MotionResult& motion) {
   }
   if (!motion.all_listed) {
     Circuits none;
-    none.notes.emplace_back("not all branches are listed: each sub-chain has circuits of its own");
+    none.notes.push_back(circuit_note(CircuitNote::not_all_listed));
     return none;
   }
   return CircuitFinder(mechanism, motion).find();

@@ -16,6 +16,7 @@
 #include "moivre/numeric/stopwatch.h"
 #include "motion_product.h"
 #include "motion_record.h"
+#include "motion_sentences.h"
 #include "pair_search.h"
 #include "reconcile.h"
 #include "solved_checkpoint.h"
@@ -38,19 +39,20 @@ void begin_tracks(MotionRun& run, const std::vector<SolvedCheckpoint>& checkpoin
   }
 }
 
-void begin_track(MotionRun& run, const Eigen::VectorXd& guess, const std::string& name,
+/// number: of the guess, from 1.
+void begin_track(MotionRun& run, const Eigen::VectorXd& guess, std::size_t number,
                  MotionResult& result) {
   const NewtonResult assembled = newton(run.phi, guess, run.options.from);
   const std::optional<double>& fit = run.mechanism.fit;
   const bool is_fitting =
       fit && assembled.q.allFinite() && misfit(run.phi, assembled.q, run.options.from) <= *fit;
   if (assembled.status != NewtonStatus::converged && !is_fitting) {
-    result.failures.push_back(name + ": Newton-Raphson " + assembled.message);
+    result.failures.push_back(guess_failure(number, assembled.message));
     return;
   }
   for (const Track& track : run.tracks) {
     if (!is_same_pose(run.phi, track.anchor.q, assembled.q)) continue;
-    result.left_out.push_back({name, "it assembles where an earlier guess does"});
+    result.left_out.push_back(repeated_guess_left_out(number));
     return;
   }
   run.tracks.push_back(run.follower.follow({run.options.from, run.phi.canonical(assembled.q)}));
@@ -67,9 +69,9 @@ void conclude(const MotionRun& run, MotionResult& result) {
   const bool is_whole = std::all_of(result.branches.begin(), result.branches.end(),
                                     [](const MotionBranch& branch) { return branch.complete; });
   result.complete = is_whole && result.failures.empty() && !run.stop;
-  result.message = run.stop          ? "interrupted: what is finished is reported"
-                   : result.complete ? "every branch was followed to an event or to the end"
-                                     : "not everything was decided: see failures";
+  result.message = motion_message(run.stop          ? MotionVerdict::interrupted
+                                  : result.complete ? MotionVerdict::followed
+                                                    : MotionVerdict::undecided);
 }
 
 /// Names the branch that begins in the drawn pose.
@@ -91,14 +93,8 @@ void tell_why_nothing_moves(const std::vector<SolvedCheckpoint>& checkpoints,
   if (!checkpoints.empty() && checkpoints.front().closures.moves) {
     result.message = checkpoints.front().closures.message;
   } else if (result.branches.empty()) {
-    result.message = "cannot be assembled at any checkpoint";
+    result.message = motion_message(MotionVerdict::not_assembled);
   }
-}
-
-/// The same of each of these times.
-void tell_times(const std::vector<double>& times, const std::string& what, const std::string& why,
-                MotionResult& result) {
-  for (const double time : times) result.left_out.push_back({what + at_time(time), why});
 }
 
 /// A line for each time at which closures are there that no branch leads through.
@@ -106,28 +102,13 @@ void tell_instants(const std::vector<BranchPose>& instants, MotionResult& result
   std::map<double, std::uint64_t> counts;
   for (const BranchPose& instant : instants) ++counts[instant.time];
   for (const auto& [time, count] : counts) {
-    result.left_out.push_back(
-        {std::to_string(count) + (count == 1 ? " closure " : " closures ") + at_time(time),
-         "the constraints are compatible for an instant only: no branch passes through"});
+    result.left_out.push_back(instants_left_out(count, time));
   }
 }
 
 bool has_limits(const Mechanism& mechanism) {
   return std::any_of(mechanism.joints.begin(), mechanism.joints.end(),
                      [](const Joint& joint) { return joint.limits.has_value(); });
-}
-
-LeftOut left_unseen(const MotionOptions& options) {
-  if (options.checkpoints > 0) {
-    return {
-        "branches that begin and end between two checkpoints, and meet no others except at a joint "
-        "limit",
-        "they may be missed: between two checkpoints, what joint limits hide is looked at only 16 "
-        "times"};
-  }
-  return {"checkpoints",
-          "none were asked for: branches that begin later are not found, and exchanged branches "
-          "not noticed"};
 }
 
 }  // namespace
@@ -151,11 +132,12 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
     search_pairs(run, tracker, checkpoints, pairs);
     const std::vector<double> found = drop_crossings(run, checkpoints);
     crossings.insert(crossings.end(), found.begin(), found.end());
-    tell_times(pairs.instants(), "closures ",
-               "complex closures meet there and separate again: a pose for an instant", result);
+    for (const double time : pairs.instants()) {
+      result.left_out.push_back(touching_closures_left_out(time));
+    }
     doubts = pairs.doubts();
     if (const auto sampled = pairs.sampled()) {
-      result.left_out.push_back({"a short branch, if there is one", *sampled});
+      result.left_out.push_back(short_branches_left_out(*sampled));
     }
   }
   drop_moments(run);
@@ -169,15 +151,15 @@ MotionResult find_motion_of_whole(const Mechanism& mechanism, const Tracker& tra
   std::move(doubts.begin(), doubts.end(), std::back_inserter(result.failures));
   count_work(checkpoints, result);
   tell_instants(run.instants, result);
-  tell_times(
-      crossings, "the checkpoint ",
-      "branches cross there and closures are not all isolated or apart: they were compared on "
-      "both sides of it",
-      result);
+  for (const double time : crossings) {
+    result.left_out.push_back(crossed_checkpoint_left_out(time));
+  }
   conclude(run, result);
   tell_why_nothing_moves(checkpoints, result);
-  if (options.checkpoints == 0 || has_limits(mechanism)) {
-    result.left_out.push_back(left_unseen(options));
+  if (options.checkpoints == 0) {
+    result.left_out.push_back(later_checkpoints_left_out());
+  } else if (has_limits(mechanism)) {
+    result.left_out.push_back(hidden_branches_left_out());
   }
   result.time_s.total = watch.total();
   return result;
@@ -206,14 +188,13 @@ MotionResult follow_guesses(const Mechanism& mechanism, const std::vector<Eigen:
   MotionResult result = empty_result(options, run.times);
   result.idle = held.idle;
   for (std::size_t k = 0; k < guesses.size() && !stop; ++k) {
-    begin_track(run, guesses[k], "guess " + std::to_string(k + 1), result);
+    begin_track(run, guesses[k], k + 1, result);
     run.show_progress(static_cast<double>(k + 1) / static_cast<double>(guesses.size()));
   }
   enter_branches(run, result);
   tell_drawn(run, result);
   conclude(run, result);
-  result.left_out.push_back(
-      {"closures and checkpoints", "the motion starts from guesses: no polynomials were solved"});
+  result.left_out.push_back(closures_left_out_by_guesses());
   result.time_s.total = watch.total();
   return result;
 }

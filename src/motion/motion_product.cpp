@@ -7,11 +7,11 @@
 #include <tuple>
 
 #include "moivre/closures/canonical_order.h"
-#include "moivre/expression/counted.h"
 #include "moivre/mechanism/closure_id.h"
 #include "moivre/motion/circuits.h"
 #include "moivre/numeric/saturating.h"
 #include "motion_record.h"
+#include "motion_sentences.h"
 
 namespace moivre {
 namespace {
@@ -289,7 +289,7 @@ class MotionProduct {
     enter_event(choice, false, branch);
     enter_event(choice, true, branch);
     branch.complete = true;
-    branch.message = "followed to the end";
+    branch.message = followed_to_the_end();
     for (std::size_t k = 0; k < chains_.size(); ++k) {
       const MotionBranch& part = branch_of(choice, k);
       branch.complete = branch.complete && part.complete;
@@ -397,10 +397,7 @@ class MotionProduct {
       whole.branches.push_back(result_.branches[b].id);
       ++branches;
     }
-    if (whole.agrees) {
-      whole.message = "one to one in each sub-chain: " + counted(closures, "closure") + ", " +
-                      counted(branches, "branch", "branches") + " listed";
-    }
+    if (whole.agrees) whole.message = one_to_one_in_sub_chains(closures, branches);
     result_.checkpoints.push_back(std::move(whole));
   }
 
@@ -418,19 +415,14 @@ class MotionProduct {
       result_.time_s.threads = std::max(result_.time_s.threads, part.time_s.threads);
       result_.time_s.track += part.time_s.track;
       for (const std::string& failure : part.failures) {
-        result_.failures.push_back("sub-chain of " + chains_[k].bodies.front() + ": " + failure);
+        result_.failures.push_back(sub_chain_failure(chains_[k].bodies.front(), failure));
       }
       add_left_out(part.left_out, result_.left_out);
     }
     result_.tracker = motion(0).tracker;
     result_.tracker_options = motion(0).tracker_options;
     if (result_.all_listed) return;
-    result_.left_out.push_back(
-        {"some combinations of the sub-chains' branches",
-         "beyond " + std::to_string(kMostBranchesListed) +
-             " they are not all listed: each branch of a sub-chain is listed "
-             "with one of each other that is there with it, and circuits are "
-             "given for each sub-chain"});
+    result_.left_out.push_back(combined_branches_left_out(kMostBranchesListed));
   }
 
   /// Leaves the samples that were asked for.

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// From tracks to branches, events, rows of checkpoints, and sentences about what failed.
+// From tracks to branches, events, rows of checkpoints, and what failed.
 #include "motion_record.h"
 
 #include <algorithm>
 #include <numeric>
 
-#include "moivre/expression/counted.h"
 #include "moivre/mechanism/closure_id.h"
+#include "motion_sentences.h"
 
 namespace moivre {
 namespace {
@@ -84,7 +84,7 @@ void enter_branch(const MotionRun& run, const Track& track, MotionResult& result
   for (const Branch* way : {&track.backwards, &track.forwards}) {
     if (way->status != BranchStatus::failed) continue;
     const double time = way == &track.forwards ? branch.ends : branch.begins;
-    std::string failure = "branch " + branch.id + " " + at_time(time) + ": " + way->message;
+    std::string failure = branch_failure(branch.id, time, way->message);
     if (failure != told) result.failures.push_back(failure);
     told = std::move(failure);
   }
@@ -106,8 +106,7 @@ std::size_t enter_lone_closures(const MotionRun& run, const SolvedCheckpoint& so
     if (is_known_instant(run, solved.time, closure.q)) continue;
     row.agrees = false;
     if (run.stop) continue;
-    result.failures.push_back("closure " + closure.id + " " + at_time(solved.time) +
-                              " is on no branch");
+    result.failures.push_back(closure_on_no_branch(closure.id, solved.time));
   }
   return matched;
 }
@@ -125,8 +124,7 @@ std::size_t enter_lone_branches(const MotionRun& run, const SolvedCheckpoint& so
     if (is_found || solved.closures.moves) continue;
     row.agrees = false;
     if (run.stop) continue;
-    result.failures.push_back("branch " + result.branches[k].id + " " + at_time(solved.time) +
-                              " is at no closure of its own that was found there");
+    result.failures.push_back(branch_without_closure(result.branches[k].id, solved.time));
   }
   return present;
 }
@@ -212,12 +210,11 @@ void enter_checkpoint(const MotionRun& run, const SolvedCheckpoint& solved, Moti
   const std::size_t matched = enter_lone_closures(run, solved, row, result);
   const std::size_t present = enter_lone_branches(run, solved, row, result);
   if (row.agrees) {
-    row.message = "one to one: " + counted(matched, "closure") + ", " +
-                  counted(present, "branch", "branches");
+    row.message = one_to_one(matched, present);
   } else if (run.stop) {
     row.message = kNotCompared;
   } else if (!solved.closures.complete) {
-    result.failures.push_back("closures " + at_time(solved.time) + ": " + solved.closures.message);
+    result.failures.push_back(closures_failure(solved.time, solved.closures.message));
   }
   result.checkpoints.push_back(std::move(row));
 }
@@ -225,8 +222,7 @@ void enter_checkpoint(const MotionRun& run, const SolvedCheckpoint& solved, Moti
 void enter_unverified(const MotionRun& run, MotionResult& result) {
   for (std::size_t k = 0; k < run.tracks.size() && !run.stop; ++k) {
     if (run.tracks[k].is_verified) continue;
-    result.failures.push_back("branch " + result.branches[k].id +
-                              ": followed back from its last checkpoint it takes another way");
+    result.failures.push_back(branch_takes_another_way(result.branches[k].id));
   }
 }
 
@@ -235,8 +231,7 @@ void enter_unmet(const MotionRun& run, MotionResult& result) {
     for (const bool is_forwards : {false, true}) {
       if (!lacks_partner(run, run.tracks[k], is_forwards)) continue;
       const double time = run.tracks[k].way(is_forwards).event->time;
-      result.failures.push_back("branch " + result.branches[k].id + " " + at_time(time) +
-                                ": the branch that meets it in its dead point was not found");
+      result.failures.push_back(branch_unmet_at_dead_point(result.branches[k].id, time));
     }
   }
 }

@@ -67,8 +67,6 @@ MotionTimes motion_times(const MotionOptions& options, int checkpoints) {
   return times;
 }
 
-std::string at_time(double time) { return "at t = " + std::to_string(time) + " s"; }
-
 std::vector<std::string> validate(const MotionOptions& options) {
   std::vector<std::string> broken;
   if (!std::isfinite(options.from) || !std::isfinite(options.to) || !(options.to > options.from)) {

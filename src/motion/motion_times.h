@@ -11,7 +11,6 @@
 // Edges: without checkpoints after `from` there is one, `from` itself.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "moivre/motion/motion.h"
@@ -28,9 +27,6 @@ struct MotionTimes {
 
   bool is_sample(double time) const;
 };
-
-/// As a message says it.
-std::string at_time(double time);
 
 /// checkpoints: after `from`; 0 where no closures are solved.
 MotionTimes motion_times(const MotionOptions& options, int checkpoints);

@@ -9,7 +9,6 @@
 
 #include "moivre/closures/same_pose.h"
 #include "moivre/closures/stages.h"
-#include "moivre/expression/counted.h"
 #include "moivre/formulation/exact.h"
 #include "moivre/kinematics/state.h"
 #include "moivre/mechanism/pose.h"
@@ -47,10 +46,6 @@ const BranchPose& nearest(const Phi& phi, const std::vector<BranchPose>& poses,
                            [&](const BranchPose& a, const BranchPose& b) {
                              return distance(phi, a.q, to.q) < distance(phi, b.q, to.q);
                            });
-}
-
-std::string between(double from, double to) {
-  return "between t = " + std::to_string(from) + " s and " + std::to_string(to) + " s";
 }
 
 }  // namespace
@@ -167,8 +162,7 @@ std::vector<std::string> PairSearch::doubts() const {
   all.insert(all.end(), unclear_.begin(), unclear_.end());
   for (const PairScene& solved : checkpoints_) {
     if (!solved.lacks_pair || !solved.is_complete || !is_regular(solved)) continue;
-    all.push_back("a pair of complex closures that is there " + at_time(solved.time) +
-                  " is not among those that were solved");
+    all.push_back(pair_not_solved(solved.time));
   }
   return all;
 }
@@ -190,10 +184,7 @@ std::vector<BranchPose> PairSearch::poses_above(const PairEquations& equations, 
   RootProver prover(there, false);
   const BlockSolving solving{tracker_, run_.options.solve, nullptr, run_.stop};
   const StageRun run = solve_blocks(there, others, solving, prover, std::move(begun));
-  if (!run.complete) {
-    tell("closures are real " + at_time(time) +
-         " for less than a millionth of the motion, and not all of them were found");
-  }
+  if (!run.complete) tell(brief_closures_incomplete(time));
   std::vector<BranchPose> poses;
   for (const PartialRoot& found : run.roots) {
     if (!may_be_real(there, found)) continue;
@@ -225,9 +216,7 @@ void PairSearch::take_brief(const PairEquations& equations, const RealWhile& lif
                                      nearest(run_.phi, ends, pose)));
         continue;
       }
-      tell("closures are real " + at_time(life.at) +
-           " for less than a millionth of the motion, and where they meet was not "
-           "found");
+      tell(brief_meeting_not_found(life.at));
     }
   }
 }
@@ -341,21 +330,16 @@ std::optional<double> PairSearch::next_time(double from, double to) {
   if (are_regular) {
     sampled_.push_back({from, to, tries});
   } else {
-    unclear_.push_back("some closures are at infinity, or double, at each of the " +
-                       counted(tries, "time") + " that were solved " + between(from, to));
+    unclear_.push_back(no_regular_time(tries, from, to));
   }
   return std::nullopt;
 }
 
-std::optional<std::string> PairSearch::sampled() const {
+std::optional<SampledStretches> PairSearch::sampled() const {
   if (sampled_.empty()) return std::nullopt;
-  std::uint64_t checkpoints = 0;
-  for (const Stretch& stretch : sampled_) checkpoints += stretch.checkpoints;
-  const std::string parts =
-      sampled_.size() == 1 ? "" : "in " + std::to_string(sampled_.size()) + " stretches ";
-  return "pairs of complex closures cannot be followed " + parts +
-         between(sampled_.front().from, sampled_.back().to) + "; closures were solved there " +
-         counted(checkpoints, "time");
+  SampledStretches all{sampled_.size(), sampled_.front().from, sampled_.back().to, 0};
+  for (const Stretch& stretch : sampled_) all.checkpoints += stretch.checkpoints;
+  return all;
 }
 
 std::vector<double> PairSearch::open_times() {
@@ -413,10 +397,8 @@ void search_pairs(MotionRun& run, const Tracker& tracker,
     const std::vector<double> open = pairs.open_times();
     if (!is_new && open.empty()) return;
     if (checkpoints.size() - at_first + open.size() > most_times) {
-      pairs.tell("closures were solved between neighbouring events " +
-                 counted(checkpoints.size() - at_first, "time") +
-                 ", and more events came to light each time" +
-                 (open.empty() ? "" : "; none was solved " + at_time(open.front())));
+      const auto unsolved = open.empty() ? std::nullopt : std::optional(open.front());
+      pairs.tell(events_without_end(checkpoints.size() - at_first, unsolved));
       return;
     }
     add_checkpoints(run, tracker, open, checkpoints);

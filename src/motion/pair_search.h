@@ -26,6 +26,7 @@
 #include <memory>
 #include <optional>
 
+#include "motion_sentences.h"
 #include "pair_curve.h"
 #include "solved_checkpoint.h"
 
@@ -51,9 +52,9 @@ class PairSearch {
   const std::vector<double>& instants() const { return instants_; }
   /// Notes a doubt, once.
   void tell(const std::string& doubt);
-  /// The stretches in which pairs can be followed from none of several checkpoints, a sentence;
-  /// nullopt where there is none.
-  std::optional<std::string> sampled() const;
+  /// The stretches in which pairs can be followed from none of several checkpoints; nullopt where
+  /// there is none.
+  std::optional<SampledStretches> sampled() const;
   /// What was not found among a checkpoint's closures, each a sentence.
   std::vector<std::string> doubts() const;
 

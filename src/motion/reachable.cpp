@@ -12,6 +12,7 @@
 #include "moivre/numeric/invalid_input.h"
 #include "motion_product.h"
 #include "motion_record.h"
+#include "motion_sentences.h"
 
 namespace moivre {
 namespace {
@@ -194,9 +195,7 @@ MotionResult reachable_from(MotionResult motion, const Circuits& circuits,
   keep_events_of_branches(motion);
   keep_parts_of_branches(motion);
   if (!dropped.empty()) {
-    motion.left_out.push_back(
-        {(dropped.size() == 1 ? "branch " : "branches ") + joined(dropped, ", "),
-         "not on a circuit of closure " + joined(closures, ", ") + ", which was asked for alone"});
+    motion.left_out.push_back(unreachable_branches_left_out(dropped, closures));
   }
   return motion;
 }

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion_sentences.h"
+
 namespace moivre {
 namespace {
 
@@ -35,9 +37,7 @@ void refuse_crossing_at(double time, Branch& branch) {
   }
   branch.event.reset();
   branch.status = BranchStatus::failed;
-  branch.message =
-      "not followed: the pose is too close to singular, or its lengths differ too much, to tell it "
-      "from a crossing of branches";
+  branch.message = not_followed_from_closure();
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ void TrackFollower::run(Track& track) const {
     Branch& way = is_forwards ? track.forwards : track.backwards;
     way = {};
     way.status = BranchStatus::reached;
-    way.message = "followed to the end";
+    way.message = followed_to_the_end();
     if (ahead.empty()) continue;
     ahead.insert(ahead.begin(), track.anchor.time);
     way = follow_branch(mechanism, track.anchor.q, ahead, steps, stop);
