@@ -2,21 +2,17 @@
 // Bound and completeness of a family that was read, on a member of its own.
 #include "judged_claims.h"
 
-#include <string_view>
+#include <utility>
 
+#include "family_sentences.h"
 #include "known_counts.h"
-#include "moivre/expression/counted.h"
 #include "moivre/family/learn.h"
 
 namespace moivre {
 namespace {
 
-constexpr std::string_view kAsTheFileSays = "the file says, unproved: ";
-
 void tell_as_a_claim(Learning& learning) {
-  if (!learning.standing.empty() && !learning.standing.starts_with(kAsTheFileSays)) {
-    learning.standing.insert(0, kAsTheFileSays);
-  }
+  learning.standing = standing_as_a_claim(std::move(learning.standing));
 }
 
 }  // namespace
@@ -28,8 +24,7 @@ void judge_claims(Family& family, std::uint64_t draw) {
   if (learning.bound) {
     learning.bound = known_counts(family, member).met;
     if (learning.bound) {
-      learning.standing = "proved: the roots are as many as the " +
-                          name_in_results(learning.bound->kind) + " allows";
+      learning.standing = standing_by_bound(learning.bound->kind);
       return;
     }
   }
@@ -37,9 +32,7 @@ void judge_claims(Family& family, std::uint64_t draw) {
   const std::optional<std::uint64_t> roots = roots_by_algebra(family, member);
   if (!roots || *roots == family.roots.size()) return;
   learning.complete = false;
-  learning.standing = "the file has " + counted(family.roots.size(), "root") +
-                      ", and exact algebra counts " + std::to_string(*roots) +
-                      " of a generic member: roots are missing";
+  learning.standing = standing_of_file_refuted(family.roots.size(), *roots);
 }
 
 }  // namespace moivre

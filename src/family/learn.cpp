@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 
+#include "family_sentences.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/numeric/invalid_input.h"
@@ -80,18 +81,12 @@ Polynomial renumbered(const Polynomial& p, const std::vector<std::uint32_t>& pla
 }
 
 std::string standing_of(const SolveResult& result, const Learning& learning) {
-  if (!result.complete) return "not every path was decided: roots may be missing";
-  if (learning.dropped > 0) {
-    return "every member has roots that are not regular, which are not part of the family";
-  }
-  if (result.bound) {
-    return "proved: the roots are as many as the " + name_in_results(result.bound->kind) +
-           " allows";
-  }
-  if (result.completeness == RootCompleteness::shown) {
-    return "shown: every path was decided and every root is certified";
-  }
-  return result.completeness ? "open: not every root is certified" : "every path was decided";
+  using enum SolvedStanding;
+  if (!result.complete) return standing_of_solved(undecided);
+  if (learning.dropped > 0) return standing_of_solved(has_irregular_roots);
+  if (result.bound) return standing_by_bound(result.bound->kind);
+  if (result.completeness == RootCompleteness::shown) return standing_of_solved(shown);
+  return standing_of_solved(result.completeness ? not_all_certified : decided);
 }
 
 bool has_zero(const Point& x) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The start that a family gives to one of its members.
-#include "moivre/expression/counted.h"
+#include "family_sentences.h"
 #include "moivre/family/members.h"
 #include "moivre/solver/member_start.h"
 #include "start_of_member.h"
@@ -25,7 +25,7 @@ GivenStart start_by_parameters(const Family& family, const ParameterValues& p,
   start.plan = plan_from_roots(
       Homotopy::parameters(scale(family.system, of_all), family.generic, rounded(p)),
       scaled_roots(family.roots, start.scaling));
-  start.why = "the " + counted(family.roots.size(), "root") + " of a generic member";
+  start.why = start_from_generic_roots(family.roots.size());
   return start;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "certified_members.h"
+#include "family_sentences.h"
 #include "known_counts.h"
 #include "loops.h"
 #include "moivre/expression/counted.h"
@@ -104,27 +105,12 @@ void require_pair(const Family& family, const KnownPair& pair) {
 /// What is known about the number of roots.
 std::string standing_of(const Learning& learning, const TraceTest& test, const Search& search,
                         bool was_stopped) {
-  const std::string elsewhere = std::to_string(search.components - 1) +
-                                " times a random root was not among those that loops lead to: the "
-                                "family is reducible, or loops have lost roots";
-  if (learning.bound) {
-    const std::string proved = "proved: as many certified roots as the " +
-                               name_in_results(learning.bound->kind) + " allows";
-    return search.components > 1 ? proved + "; " + elsewhere : proved;
-  }
-  if (search.components > 1) return elsewhere + "; there may be more";
-  const std::string loops = std::to_string(search.count.loops) + " loops";
-  if (was_stopped) return "interrupted after " + loops + ": there may be more roots";
-  if (!test.was_made) {
-    const std::string why = test.lost == 0 ? "no trace test"
-                                           : "no trace test, since " + counted(test.lost, "point") +
-                                                 " of the curve could not be followed";
-    return loops + ", the last ones without a new root; " + why;
-  }
-  const std::string points = counted(test.points, "point") + " of the curve";
-  return test.holds ? "shown: the trace test holds (" + points +
-                          "), and no root of another component was met by chance"
-                    : "the trace test fails (" + points + "): roots are missing";
+  const int strays = search.components - 1;
+  if (learning.bound) return standing_by_bound_of_loops(learning.bound->kind, strays);
+  if (strays > 0) return standing_with_strays(strays);
+  if (was_stopped) return standing_of_interrupted(search.count.loops);
+  if (!test.was_made) return standing_without_trace_test(search.count.loops, test.lost);
+  return standing_by_trace_test(test.holds, test.points);
 }
 
 /// Random roots of random members, small and large, belong to other components where they come to
@@ -225,8 +211,7 @@ Family learn_by_monodromy(Family unlearned, const KnownPair& pair, const Tracker
   const bool lacks_roots = by_algebra > family.roots.size();
   learning.complete =
       learning.bound || (test.holds && search.components == 1 && !lacks_roots && !stop);
-  learning.standing = lacks_roots ? "exact algebra counts " + counted(*by_algebra, "root") +
-                                        " with multiplicities: roots are missing, or multiple"
+  learning.standing = lacks_roots ? standing_refuted_by_algebra(*by_algebra)
                                   : standing_of(learning, test, search, stop);
   return family;
 }

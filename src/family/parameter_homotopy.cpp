@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "family_sentences.h"
 #include "loops.h"
 #include "moivre/expression/counted.h"
 #include "moivre/family/learn.h"
@@ -90,12 +91,11 @@ SolveResult solve(const ParameterProblem& problem, const ParameterValues& to,
   family.generic = generic;
   family.roots = different(ends);
   SolveResult result = solve_member(family, to, tracker, options, stop);
-  result.start.why = "the " + counted(problem.roots.size(), "root") + " that were given";
-  const auto lost = std::count(ends.begin(), ends.end(), std::nullopt);
+  result.start.why = start_from_given_roots(problem.roots.size());
+  const auto lost = static_cast<std::size_t>(std::count(ends.begin(), ends.end(), std::nullopt));
   if (lost > 0) {
     result.complete = false;
-    result.left_out.push_back({counted(lost, "start point"),
-                               "no regular root of the system at p0, or its path broke off"});
+    result.left_out.push_back(lost_start_points_left_out(lost));
   }
   return result;
 }
