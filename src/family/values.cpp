@@ -100,13 +100,13 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   }
 }
 
-std::string missing_text(const std::vector<std::string>& names, const std::vector<bool>& is_given) {
+std::vector<std::string> without_value(const std::vector<std::string>& names,
+                                       const std::vector<bool>& is_given) {
   std::vector<std::string> missing;
   for (std::size_t j = 0; j < names.size(); ++j) {
     if (!is_given[j]) missing.push_back(names[j]);
   }
-  if (missing.empty()) return "";
-  return "no value for " + joined(missing, ", ");
+  return missing;
 }
 
 /// A table row by row.
@@ -175,8 +175,9 @@ class TableReader {
         is_given[*columns_.back()] = true;
       }
     }
-    const std::string missing = missing_text(names_, is_given);
-    if (!missing.empty()) faults_.push_back({at, "the table has " + missing});
+    const std::vector<std::string> missing = without_value(names_, is_given);
+    if (missing.empty()) return;
+    faults_.push_back({at, "the table has no value for " + joined(missing, ", ")});
   }
 
   static SourcePosition position(std::string_view cell, std::string_view line,
@@ -222,8 +223,8 @@ ParameterValues values_at(const Family& family, const std::string& text) {
       }
     }
   }
-  const std::string missing = missing_text(names, is_given);
-  if (!missing.empty()) faults.push_back(missing);
+  const std::vector<std::string> missing = without_value(names, is_given);
+  if (!missing.empty()) faults.push_back("no value for " + joined(missing, ", "));
   require_unbroken(faults);
   return values;
 }

@@ -4,6 +4,7 @@
 
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
+#include "moivre/mechanism/closure_id.h"
 
 namespace moivre {
 namespace {
@@ -171,6 +172,16 @@ LeftOut unreachable_branches_left_out(const std::vector<std::string>& branches,
   return {(branches.size() == 1 ? "branch " : "branches ") + joined(branches, ", "),
           "not on a circuit of closure " + joined(asked_closures, ", ") +
               ", which was asked for alone"};
+}
+
+std::string known_closures(const std::vector<std::string>& ids, bool are_more) {
+  if (ids.empty()) return "there is none at all";
+  return "there are " + joined(ids, ", ") + (are_more ? ", ..." : "");
+}
+
+std::string names_in_sub_chains(const std::vector<std::string>& of) {
+  return "; " + joined(of, ".") + " names one closure of each sub-chain, " +
+         sub_chain_name(0, of.front()) + " all with this one of the first";
 }
 
 std::string circuit_note(CircuitNote note) {

@@ -73,6 +73,11 @@ LeftOut combined_branches_left_out(std::size_t most);
 LeftOut unreachable_branches_left_out(const std::vector<std::string>& branches,
                                       const std::vector<std::string>& asked_closures);
 
+/// The closures to choose from, where one was asked for that is not there; `are_more` than these.
+std::string known_closures(const std::vector<std::string>& ids, bool are_more);
+/// of: the ids of each sub-chain's closure, for an example.
+std::string names_in_sub_chains(const std::vector<std::string>& of);
+
 /// What leaves circuits open.
 enum class CircuitNote {
   turn_ends_in_other_poses,

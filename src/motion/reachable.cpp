@@ -6,7 +6,6 @@
 #include <queue>
 #include <stdexcept>
 
-#include "moivre/expression/joined.h"
 #include "moivre/mechanism/closure_id.h"
 #include "moivre/motion/circuits.h"
 #include "moivre/numeric/invalid_input.h"
@@ -38,14 +37,11 @@ std::string names_text(const MotionResult& motion, const std::vector<std::size_t
   constexpr std::size_t kListed = 60;
   std::vector<std::string> known;
   for (const std::size_t k : branches) known.push_back(motion.branches[k].id);
-  if (known.empty()) return "there is none at all";
   const bool are_many = known.size() > kListed;
   known.resize(std::min(known.size(), kListed));
-  std::string text = "there are " + joined(known, ", ") + (are_many ? ", ..." : "");
-  if (motion.sub_chains.empty()) return text;
-  const auto& of = motion.branches[branches.front()].of;
-  return text + "; " + joined(of, ".") + " names one closure of each sub-chain, " +
-         sub_chain_name(0, of.front()) + " all with this one of the first";
+  const std::string text = known_closures(known, are_many);
+  if (known.empty() || motion.sub_chains.empty()) return text;
+  return text + names_in_sub_chains(motion.branches[branches.front()].of);
 }
 
 /// The branches at `from` with these names. Throws std::invalid_argument that names every unknown
