@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "closure_sentences.h"
 #include "linear_block.h"
 #include "moivre/formulation/exact.h"
 #include "moivre/numeric/random.h"
@@ -181,8 +182,7 @@ class TheoremSource : public GivenStartSource {
       for (const std::size_t v : task().block.variables) x.push_back(pose[v]);
     }
     GivenStart start = start_from_member(f, general, known);
-    start.why =
-        "the " + std::to_string(known.size()) + " poses of " + theorem->of + " in general position";
+    start.why = start_from_general_member(known.size(), theorem->of);
     return start;
   }
 };

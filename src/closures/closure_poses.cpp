@@ -7,10 +7,10 @@
 #include <limits>
 #include <optional>
 
+#include "closure_sentences.h"
 #include "fitted_poses.h"
 #include "moivre/closures/canonical_order.h"
 #include "moivre/closures/same_pose.h"
-#include "moivre/expression/counted.h"
 #include "moivre/factorization/svd.h"
 #include "moivre/kinematics/newton.h"
 #include "moivre/kinematics/own_units.h"
@@ -273,9 +273,7 @@ bool closes(const ClosureSearch& search, const NewtonResult& pose) {
 
 void tell_limits(ClosureSearch& search) {
   for (const auto& [joint, count] : search.beyond_limits) {
-    search.result.left_out.push_back(
-        {counted(count, "closure"),
-         "outside the limits of " + to_string(joint->type) + " " + joint->name});
+    search.result.left_out.push_back(closures_beyond_limits_left_out(count, *joint));
   }
 }
 

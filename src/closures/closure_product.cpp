@@ -7,6 +7,7 @@
 
 #include "closure_poses.h"
 #include "closure_roots.h"
+#include "closure_sentences.h"
 #include "moivre/closures/stages.h"
 #include "moivre/closures/sub_chains.h"
 #include "moivre/numeric/saturating.h"
@@ -180,13 +181,7 @@ void add_account(const ClosureResult& part, ClosureResult& whole) {
 void tell_listed(ClosureResult& whole) {
   whole.all_listed = whole.counts.complex <= kMostListed;
   if (whole.all_listed) return;
-  whole.left_out.push_back(
-      {"some combinations of the sub-chains' closures",
-       "beyond " + std::to_string(kMostListed) +
-           " they are not all listed: sub_chains has the closures of each sub-chain; closures and "
-           "solutions list each of these once, with the first closure of the others, and closures "
-           "the "
-           "one that was drawn"});
+  whole.left_out.push_back(combined_closures_left_out(kMostListed));
 }
 
 }  // namespace

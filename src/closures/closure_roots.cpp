@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "closure_poses.h"
+#include "closure_sentences.h"
 #include "moivre/closures/stages.h"
-#include "moivre/expression/counted.h"
 #include "moivre/factorization/qr.h"
 #include "moivre/formulation/exact.h"
 #include "moivre/kinematics/newton.h"
@@ -122,9 +122,7 @@ void take_account(ClosureResult& result, const StageRun& run) {
   result.counts.rejected += run.rejected;
   for (const auto& [reason, count] : run.excluded) {
     result.counts.rejected += count;
-    result.left_out.push_back({std::to_string(count) + (count == 1 ? " root that is no pose"
-                                                                   : " roots that are no poses"),
-                               reason});
+    result.left_out.push_back(excluded_roots_left_out(count, reason));
   }
   for (const Stage& stage : run.stages) append(stage.reduced, result.reduced);
   result.reduced.total_degree = total_degree(result.reduced.degrees);
@@ -367,8 +365,7 @@ void settle_refuted(ClosureSearch& search) {
     stage.paths.not_needed += std::exchange(stage.paths.failed, 0);
   }
   if (result.failures.empty()) return;
-  result.left_out.push_back({counted(result.failures.size(), "path") + " that were in doubt",
-                             "constraints contradict each other: they lead to no closure"});
+  result.left_out.push_back(doubtful_paths_left_out_by_contradiction(result.failures.size()));
   result.failures.clear();
 }
 
@@ -494,7 +491,7 @@ StageRun solve_combined(const ClosureSearch& search, const StageRun& first) {
   RootProver prover(combined, false);
   StageRun run = solve_blocks(search, combined, block_structure(combined.system).blocks, prover);
   take_off_sets(search, combined, run);
-  for (Stage& stage : run.stages) stage.group += ", equations combined";
+  for (Stage& stage : run.stages) stage.group = group_with_equations_combined(stage.group);
   run.stages.insert(run.stages.begin(), first.stages.begin(), first.stages.end());
   run.paths += first.paths;
   run.work += first.work;
@@ -505,10 +502,8 @@ StageRun solve_combined(const ClosureSearch& search, const StageRun& first) {
 void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
   ClosureResult& result = search.result;
   if (!structure.spare_equations.empty()) {
-    result.left_out.push_back(
-        {std::to_string(structure.spare_equations.size()) + " of " +
-             counted(search.formulation.system.polynomials.size(), "equation"),
-         "there are more than unknowns; every root is checked on all of them"});
+    result.left_out.push_back(spare_equations_left_out(
+        structure.spare_equations.size(), search.formulation.system.polynomials.size()));
   }
   RootProver prover(search.formulation, search.wants_proofs());
   StageRun run;
@@ -538,8 +533,7 @@ void solve_determined(ClosureSearch& search, const BlockStructure& structure) {
     result.complete = false;
     search.undecided_motion = true;
   } else {
-    result.left_out.push_back({"closures that form sets of positive dimension",
-                               "parts of them close in complex numbers only"});
+    result.left_out.push_back(complex_sets_left_out());
     search.part_is_complex = result.solutions.empty();
   }
 }

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "closure_poses.h"
 #include "closure_product.h"
 #include "closure_roots.h"
+#include "closure_sentences.h"
 #include "fitted_poses.h"
 #include "moivre/closures/idle_joints.h"
-#include "moivre/expression/counted.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moving_pose.h"
@@ -28,12 +27,11 @@ ClosureResult described(const ClosureSearch& search) {
   result.seed = search.options.solve.seed;
   result.time = search.options.time;
   result.system = {f.variables, degrees(f), total_degree(degrees(f))};
-  result.start.why =
-      "each group of bodies is solved on its own, once a branch of the groups before it";
+  result.start.why = why_blocks_are_solved_in_order();
   for (StartCount* count :
        {&result.start.counts.total_degree, &result.start.counts.multihomogeneous,
         &result.start.counts.mixed_volume}) {
-    count->missing = "each group of bodies has counts of its own";
+    count->missing = why_blocks_have_counts();
   }
   result.tracker = search.tracker.kind();
   result.tracker_options = search.tracker.options_in_force();
@@ -89,38 +87,22 @@ void find_all_combined(ClosureSearch& search) {
 
 /// Why the search is not complete.
 std::string shortfall(const ClosureSearch& search) {
+  using enum ClosureVerdict;
   // What is missing may be what was not looked for any more.
-  if (search.stop) return "interrupted: what is finished is reported";
+  if (search.stop) return closure_message(interrupted);
   if (search.undecided_motion) {
-    const std::string what = search.result.solutions.empty()
-                                 ? "no closure is isolated"
-                                 : "besides the isolated closures others may form a set";
-    return "undecided: " + what + ", and Newton-Raphson came to no real pose of one from " +
-           std::to_string(kMovingStarts) + " starts; there may be none: give a guess, or drivers";
+    return undecided_set_message(!search.result.solutions.empty(), kMovingStarts);
   }
-  if (search.lost_images > 0) return "a closure's mirror image is missing: a path was lost";
-  if (search.unproved > 0) {
-    return "undecided: " + counted(search.unproved, "closure") +
-           " may be real, complex or one, as the file's numbers are rounded";
-  }
-  if (search.rootless > 0) return "a closure was found that is none of the roots: roots were lost";
-  if (search.unpolished > 0) return "Newton-Raphson does not confirm a real root";
-  return "some paths failed";
+  if (search.lost_images > 0) return closure_message(image_lost);
+  if (search.unproved > 0) return undecided_closures_message(search.unproved);
+  if (search.rootless > 0) return closure_message(roots_lost);
+  return closure_message(search.unpolished > 0 ? not_confirmed : paths_failed);
 }
 
-/// x in the file's unit of length.
-std::string length_text(double x, const Mechanism& mechanism) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", x);
-  return mechanism.units.length.empty() ? text : text + (" " + mechanism.units.length);
-}
-
-/// A fit that takes what misses by so much: one digit more than it.
-std::string fit_text(double misfit) {
+/// A fit that takes what misses by so much: its first digit, and one more.
+double fit_beyond(double misfit) {
   const double digit = std::pow(10, std::floor(std::log10(misfit)));
-  char fit[32];
-  std::snprintf(fit, sizeof fit, "%.1g", digit * (std::floor(misfit / digit) + 1));
-  return fit;
+  return digit * (std::floor(misfit / digit) + 1);
 }
 
 /// By how much the nearest pose misses, and what would take it; empty where none is near.
@@ -130,13 +112,10 @@ std::string misfit_text(const ClosureSearch& search) {
   constexpr double kRounded = 1e-2;
   const std::optional<double>& misfit = search.result.least_misfit;
   if (!misfit || search.result.counts.fitted > 0) return "";
-  const std::string text = "; the nearest pose misses by " +
-                           length_text(*misfit, search.mechanism) + " at " +
-                           search.result.misses_most;
-  if (*misfit > kRounded * search.phi.length()) return text;
-  const std::string fit = fit_text(*misfit);
-  return text + ", as rounded lengths do: fit = " + fit + " in the file, or --fit " + fit +
-         ", takes it";
+  std::optional<double> fit;
+  if (!(*misfit > kRounded * search.phi.length())) fit = fit_beyond(*misfit);
+  return nearest_pose_clause(*misfit, search.result.misses_most, search.mechanism.units.length,
+                             fit);
 }
 
 /// Poses beside the closures that miss by rounding only, and what would take them.
@@ -145,17 +124,7 @@ std::string near_text(const ClosureSearch& search) {
   if (near.empty() || search.mechanism.fit) return "";
   double most = 0;
   for (const Closure& pose : near) most = std::max(most, pose.misfit);
-  return "; " + counted(near.size(), "more pose") + (near.size() == 1 ? " misses" : " miss") +
-         " by " + length_text(most, search.mechanism) + (near.size() == 1 ? "" : " at most") +
-         ", as rounded lengths do: --fit " + fit_text(most) +
-         (near.size() == 1 ? " takes it" : " takes them");
-}
-
-std::string fitted_text(const ClosureSearch& search) {
-  const std::uint64_t fitted = search.result.counts.fitted;
-  return std::to_string(fitted) + (fitted == 1 ? " closure closes" : " closures close") +
-         " within fit = " + length_text(search.mechanism.fit.value_or(0), search.mechanism) +
-         " only: least squares, no exact closure";
+  return near_poses_clause(near.size(), most, search.mechanism.units.length, fit_beyond(most));
 }
 
 /// What fit leaves of the closure that it leaves most freedom.
@@ -167,34 +136,27 @@ std::string play_text(const ClosureSearch& search) {
     return a.play.value_or(0) < b.play.value_or(0);
   });
   if (freest == closures.end() || freest->play.value_or(0) < kNotable) return "";
-  char play[32];
-  std::snprintf(play, sizeof play, "%.1g", *freest->play);
-  return "; within fit closure " + freest->id +
-         " can move: poses that hang together with it reach " + play +
-         " from it, in radians or lengths of the pose";
+  return play_clause(freest->id, *freest->play);
 }
 
 std::string verdict(const ClosureSearch& search) {
+  using enum ClosureVerdict;
+  const Mechanism& mechanism = search.mechanism;
   const ClosureCounts& counts = search.result.counts;
   if (!search.result.complete) return shortfall(search);
   if (search.result.moves) {
-    return std::string("moves: the closures form a set of positive dimension") +
-           (search.mechanism.drivers.empty() ? "; there is no driver that holds it"
-                                             : " though the drivers stand");
+    return closure_message(mechanism.drivers.empty() ? moves_without_driver
+                                                     : moves_with_drivers_held);
   }
-  if (counts.fitted > 0) return "every path was decided; " + fitted_text(search);
-  if (search.result.fitted_beyond_limits > 0) return "every path was decided";
-  if (search.part_is_complex) {
-    return "cannot be assembled: a part of it closes in complex numbers only";
+  if (counts.fitted > 0) {
+    return fitted_closures_message(counts.fitted, mechanism.fit.value_or(0),
+                                   mechanism.units.length);
   }
-  if (counts.complex == 0) {
-    return "cannot be assembled: there is no closure, not even a complex one" + misfit_text(search);
-  }
-  if (counts.real == 0) {
-    return "cannot be assembled: every closure is complex (" + std::to_string(counts.complex) +
-           ")" + misfit_text(search);
-  }
-  return "every path was decided" + near_text(search);
+  if (search.result.fitted_beyond_limits > 0) return closure_message(decided);
+  if (search.part_is_complex) return closure_message(partly_complex);
+  if (counts.complex == 0) return closure_message(no_closure) + misfit_text(search);
+  if (counts.real == 0) return complex_closures_message(counts.complex) + misfit_text(search);
+  return closure_message(decided) + near_text(search);
 }
 
 void conclude(ClosureSearch& search) {

@@ -3,11 +3,10 @@
 #include "moivre/closures/idle_joints.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <numbers>
 #include <numeric>
 #include <set>
 
+#include "closure_sentences.h"
 #include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/mechanism/spins.h"
@@ -216,12 +215,8 @@ class Holding {
   }
 
   std::string pose_text(const Joint& joint, std::size_t other) const {
-    const bool in_degrees = held_.mechanism.units.angle == "deg";
-    char angle[32];
-    std::snprintf(angle, sizeof angle, "%.8g %s",
-                  in_degrees ? joint.turn_rad * 180 / std::numbers::pi : joint.turn_rad,
-                  held_.mechanism.units.angle.c_str());
-    return std::string("held at ") + angle + " to " + held_.mechanism.bodies[other].name;
+    return held_at_angle(joint.turn_rad, held_.mechanism.units.angle,
+                         held_.mechanism.bodies[other].name);
   }
 
   std::size_t group_of(const PointOf& point) const { return group_[point.body]; }
@@ -253,7 +248,7 @@ void hold_spins(HeldMechanism& held) {
   mechanism.held_spins = find_spins(mechanism);
   for (const Spin& spin : mechanism.held_spins) {
     held.idle.push_back({mechanism.bodies[spin.body].name, ball_at(mechanism, spin.line[1]).name,
-                         "shown in one pose of its turn about the line of its two joints"});
+                         held_in_one_turn()});
   }
 }
 

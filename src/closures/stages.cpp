@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "block_sources.h"
+#include "closure_sentences.h"
 #include "lone_equation.h"
-#include "moivre/expression/counted.h"
 #include "moivre/formulation/exact.h"
 #include "moivre/polynomial/eliminate.h"
 #include "quadratic_block.h"
@@ -147,25 +147,11 @@ class Stages {
   StageRun take() && {
     prove_all();
     run_.time.threads = std::max(1, run_.time.threads);
-    if (lone_ > 0) {
-      run_.left_out.push_back(
-          lone_ == 1 ? LeftOut{"1 linear equation solved alone", "it has a single unknown left"}
-                     : LeftOut{std::to_string(lone_) + " linear equations solved one by one",
-                               "each has a single unknown left"});
-    }
-    if (shared_ > 0) {
-      run_.left_out.push_back({"following the paths of " + counted(shared_, "solve"),
-                               "above roots with the same values they are those of another one"});
-    }
-    if (run_.rejected > 0) {
-      run_.left_out.push_back({"what is above " + counted(run_.rejected, "root") + " of a part",
-                               "they are not real, and an equation of the others fails there"});
-    }
-    if (formulas_ > 0) {
-      run_.left_out.push_back(
-          {"following the paths of " + counted(formulas_, "solve"),
-           "what comes down to one quadratic equation, or to linear ones, is solved by formula"});
-    }
+    std::vector<LeftOut>& left_out = run_.left_out;
+    if (lone_ > 0) left_out.push_back(lone_equations_left_out(lone_));
+    if (shared_ > 0) left_out.push_back(shared_paths_left_out(shared_));
+    if (run_.rejected > 0) left_out.push_back(blocks_above_rejected_left_out(run_.rejected));
+    if (formulas_ > 0) left_out.push_back(paths_of_formulas_left_out(formulas_));
     return std::move(run_);
   }
 
@@ -190,10 +176,8 @@ class Stages {
     run_.is_proved = before.is_proved;
     if (run_.complete == before.is_complete) return;
     stage.paths.not_needed += std::exchange(stage.paths.failed, 0);
-    run_.left_out.push_back(
-        {counted(run_.failures.size() - before.failures, "path") + " that were in doubt",
-         counted(bound.most, "pose") + " are proved, and " + bound.of +
-             " has no more: they lead to no other"});
+    run_.left_out.push_back(doubtful_paths_left_out_by_bound(run_.failures.size() - before.failures,
+                                                             bound.most, bound.of));
     run_.failures.resize(before.failures);
     run_.complete = before.is_complete;
   }
@@ -466,12 +450,7 @@ class Stages {
         if (std::find(bodies.begin(), bodies.end(), owner) == bodies.end()) bodies.push_back(owner);
       }
     }
-    constexpr std::size_t kBodiesOfDyad = 2;
-    std::string text =
-        bodies.size() == kBodiesOfDyad ? "dyad" : "group of " + std::to_string(bodies.size());
-    if (bodies.size() == 1) text = "single";
-    for (const std::string& body : bodies) text += (&body == &bodies.front() ? " " : ", ") + body;
-    return text;
+    return group_of_bodies(bodies);
   }
 
   const Formulation& formulation_;
