@@ -15,6 +15,7 @@
 #include "judge.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/expression/counted.h"
+#include "solver_sentences.h"
 
 namespace moivre {
 namespace {
@@ -267,8 +268,14 @@ double accuracy_of_group(const Run& run, PathGroups::Group group, const Refined&
   return accuracy;
 }
 
-std::string decided_text(const PathCounts& paths) {
-  return paths.not_needed == 0 ? "every path was decided" : "every path was decided or not needed";
+/// `result` has its counts of paths.
+SolveVerdict verdict_of(const Run& run, const SolveResult& result, bool lacks_image) {
+  using enum SolveVerdict;
+  if (run.out_of_memory) return out_of_memory;
+  if (run.interrupted) return interrupted;
+  if (result.paths.failed > 0) return paths_failed;
+  if (lacks_image) return conjugate_missing;
+  return result.paths.not_needed == 0 ? decided : decided_or_not_needed;
 }
 
 /// So far from the point that is told, relative to max(1, |x|_inf), the roots of a cluster may lie:
@@ -373,19 +380,12 @@ void close_account(Run& run, SolveResult& result) {
   auto doubt = run.interrupted ? std::nullopt : contradiction_by_algebra(run, proved, result);
   if (!doubt) doubt = doubt_of_start(run);
   result.complete = !run.interrupted && all_decided && !doubt;
-  result.message = run.out_of_memory         ? "memory ran out: what is finished is reported"
-                   : run.interrupted         ? "interrupted: what is finished is reported"
-                   : all_decided             ? doubt.value_or(decided_text(result.paths))
-                   : result.paths.failed > 0 ? "some paths failed"
-                                             : "a root's conjugate is missing among the roots";
+  const bool is_doubt_alone = doubt && !run.interrupted && all_decided;
+  result.message = is_doubt_alone ? *doubt : solve_message(verdict_of(run, result, lacks_image));
   tell_completeness(run, result);
   const std::uint64_t as_rounded = run.table.count(PathVerdict::as_rounded);
   if (as_rounded == 0) return;
-  result.left_out.push_back({"what the file's digits do not tell",
-                             counted(as_rounded, "path") + (as_rounded == 1 ? " ends" : " end") +
-                                 " at infinity for coefficients that differ from the "
-                                 "file's by less than half a unit of "
-                                 "the last digit"});
+  result.left_out.push_back(paths_as_rounded_left_out(as_rounded));
 }
 
 }  // namespace moivre

@@ -17,6 +17,7 @@
 #include "moivre/start/mixed_volume.h"
 #include "moivre/start/polyhedral.h"
 #include "moivre/start/strata.h"
+#include "solver_sentences.h"
 
 namespace moivre {
 namespace {
@@ -342,7 +343,7 @@ std::optional<std::string> contradiction_by_algebra(const Run& run,
                                                     std::optional<std::uint64_t> proved,
                                                     const SolveResult& result) {
   if (run.bounds.lacks_paths && run.setting.prepared.leads_to_all)
-    return "fewer paths end at a multiple root than it has to have";
+    return doubt_message(SolveDoubt::too_few_paths_at_a_root);
   const QuotientRing& ring = run.bounds.ring;
   // Ends that the digits of the file do not tell from infinity may be roots of the file to the
   // letter.
@@ -351,28 +352,24 @@ std::optional<std::string> contradiction_by_algebra(const Run& run,
     return found <= count && count <= found + hidden;
   };
   if (proved && !is_between(*ring.simple, *proved)) {
-    return "exact algebra counts " + counted(*ring.simple, "simple root") + ", those found are " +
-           std::to_string(*proved);
+    return algebra_doubt(AlgebraCount::simple, *ring.simple, *proved);
   }
   if (ring.verdict != QuotientRing::Verdict::finite) return std::nullopt;
-  if (!result.on_sets.empty())
-    return "exact algebra tells that no root lies on a curve, paths end as on one";
+  if (!result.on_sets.empty()) return doubt_message(SolveDoubt::paths_end_on_a_curve);
   std::uint64_t roots = 0;
   for (const Solution& root : result.solutions) roots += root.multiplicity;
   if (!is_between(ring.dimension, roots)) {
-    return "exact algebra counts " + counted(ring.dimension, "root") +
-           " with their multiplicities, those found count " + std::to_string(roots);
+    return algebra_doubt(AlgebraCount::with_multiplicities, ring.dimension, roots);
   }
   const std::optional<std::uint64_t>& points = run.bounds.points;
   if (!points || is_between(*points, result.solutions.size())) return std::nullopt;
-  return "exact algebra counts " + counted(*points, "different root") + ", those found are " +
-         std::to_string(result.solutions.size());
+  return algebra_doubt(AlgebraCount::different, *points, result.solutions.size());
 }
 
 std::optional<std::string> doubt_of_start(const Run& run) {
   const bool is_counted = run.bounds.ring.verdict == QuotientRing::Verdict::finite;
   if (run.setting.prepared.leads_to_all || run.bounds.met || is_counted) return std::nullopt;
-  return "the family that the paths start from may lack roots, and so may this member of it";
+  return doubt_message(SolveDoubt::family_may_lack_roots);
 }
 
 void tell_completeness(const Run& run, SolveResult& result) {
@@ -387,13 +384,9 @@ void tell_completeness(const Run& run, SolveResult& result) {
                                      : RootCompleteness::open;
   const std::uint64_t left = run.table.count(PathVerdict::not_needed);
   if (left == 0) return;
-  const std::string why =
-      run.bounds.met
-          ? "the certified roots are as many as the " + name_in_results(run.bounds.met->kind)
-          : "the roots and their multiplicities are as many as exact algebra counts";
-  result.left_out.push_back(
-      {counted(left, "path") + " that were not needed",
-       why + (left == 1 ? ": it leads to no other" : ": they lead to no other")});
+  const auto& met = run.bounds.met;
+  const auto bound = met ? std::optional(met->kind) : std::nullopt;
+  result.left_out.push_back(paths_not_needed_left_out(left, bound));
 }
 
 }  // namespace moivre

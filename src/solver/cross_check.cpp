@@ -9,6 +9,7 @@
 #include "coincidence.h"
 #include "moivre/polynomial/patches.h"
 #include "moivre/solver/trace.h"
+#include "solver_sentences.h"
 
 namespace moivre {
 namespace {
@@ -123,7 +124,7 @@ void cross_check(const System& f, SolveResult& result, const Tracker& tracker,
   for (std::size_t k = 0; k < settled && !stop.load(); ++k) {
     settle(check.disagreements[k], f, tracker, witness, own, stop);
   }
-  if (check.missed > 0) put_in_doubt(result, "the witness found roots that are missing here");
+  if (check.missed > 0) put_in_doubt(result, doubt_message(SolveDoubt::witness_found_more));
   result.cross_check = std::move(check);
 }
 

@@ -8,9 +8,9 @@
 #include "account.h"
 #include "drop_solutions.h"
 #include "moivre/algebra/quotient_ring.h"
-#include "moivre/expression/counted.h"
 #include "moivre/polynomial/digits.h"
 #include "moivre/polynomial/value.h"
+#include "solver_sentences.h"
 
 namespace moivre {
 namespace {
@@ -57,17 +57,13 @@ void drop_on_denominators(const System& f, SolveResult& result) {
     return std::any_of(f.denominators.begin(), f.denominators.end(),
                        [&](const Polynomial& d) { return is_zero_at(d, root); });
   });
-  result.left_out.push_back(
-      {"roots where a denominator is zero",
-       counted(result.on_denominators, "root") + " of the equations without their denominators"});
+  result.left_out.push_back(roots_on_denominators_left_out(result.on_denominators));
   if (result.on_denominators == 0 || !result.complete) return;
   std::uint64_t kept = 0;
   for (const Solution& root : result.solutions) kept += root.multiplicity;
   const std::optional<std::uint64_t> off = count_off(f);
   if (off && *off != kept) {
-    put_in_doubt(result, "exact algebra counts " + counted(*off, "root") +
-                             " where no denominator is zero, those found are " +
-                             std::to_string(kept));
+    put_in_doubt(result, algebra_doubt(AlgebraCount::off_denominators, *off, kept));
   } else if (!off && result.completeness == RootCompleteness::proved) {
     result.completeness = RootCompleteness::shown;
     result.bound.reset();

@@ -9,12 +9,12 @@
 #include <stdexcept>
 #include <utility>
 
-#include "moivre/expression/counted.h"
 #include "moivre/multiprecision/reference_roots.h"
 #include "moivre/numeric/near_points.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/polynomial/patches.h"
 #include "solution_distance.h"
+#include "solver_sentences.h"
 
 namespace moivre {
 
@@ -64,8 +64,7 @@ void give_digits(const System& f, int digits, SolveResult& result, const std::at
   }
   const Stopwatch watch;
   if (!f.nudged.empty() && digits > kDigitsOfRounded) {
-    result.left_out.push_back({"digits behind the " + std::to_string(kDigitsOfRounded) + "th",
-                               "sqrt(2), pi and the like are taken with 40 digits"});
+    result.left_out.push_back(digits_of_rounded_left_out(kDigitsOfRounded));
     digits = kDigitsOfRounded;
   }
   result.digits = digits;
@@ -84,18 +83,11 @@ void give_digits(const System& f, int digits, SolveResult& result, const std::at
       result.solutions[k].x_digits = roots[k].x;
     }
   }
-  if (without > 0) {
-    result.left_out.push_back(
-        {std::to_string(digits) + " digits of " + counted(without, "root"),
-         "Newton's method does not converge quadratically there, as at every "
-         "singular root, or leads to another root, or double does not tell the "
-         "root from another one; no digit could be guaranteed"});
-  }
+  if (without > 0) result.left_out.push_back(digits_not_guaranteed_left_out(digits, without));
   if (not_begun > 0) {
     result.complete = false;
-    result.message = "interrupted: what is finished is reported";
-    result.left_out.push_back({std::to_string(digits) + " digits of " + counted(not_begun, "root"),
-                               "the run was interrupted before"});
+    result.message = solve_message(SolveVerdict::interrupted);
+    result.left_out.push_back(digits_interrupted_left_out(digits, not_begun));
   }
   result.time.total += watch.total();
 }

@@ -6,6 +6,7 @@
 
 #include "moivre/expression/counted.h"
 #include "moivre/numeric/invalid_input.h"
+#include "solver_sentences.h"
 
 namespace moivre {
 
@@ -24,7 +25,7 @@ std::string meant_product(const std::vector<std::string>& names, const std::stri
     const std::string left = name.substr(0, k);
     const std::string right = name.substr(k);
     if (is_name(left) && is_name(right)) {
-      return "; `" + name + "` is one name: a product is written `" + left + '*' + right + '`';
+      return meant_product_clause(left, right);
     }
   }
   return {};

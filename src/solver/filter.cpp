@@ -7,20 +7,15 @@
 
 #include "condition_value.h"
 #include "drop_solutions.h"
-#include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/numeric/invalid_input.h"
+#include "solver_sentences.h"
 
 namespace moivre {
 namespace {
 
-std::string said(const RootFilter& filter) {
-  std::vector<std::string> words;
-  if (filter.real) words.emplace_back("real");
-  if (filter.positive) words.emplace_back("positive");
-  if (filter.nonzero) words.emplace_back("without a zero");
-  if (!filter.box.empty()) words.emplace_back("in the box");
-  return joined(words, ", ");
+bool asks_of_coordinates(const RootFilter& filter) {
+  return filter.real || filter.positive || filter.nonzero || !filter.box.empty();
 }
 
 bool is_wanted(const RootFilter& filter, const std::vector<std::size_t>& places,
@@ -62,9 +57,7 @@ void keep_by_coordinates(const RootFilter& filter, SolveResult& result) {
   std::erase_if(result.planes,
                 [&](const CoordinatePlane& plane) { return is_unwanted(filter, places, plane); });
   const std::uint64_t left = before - result.solutions.size();
-  result.left_out.push_back(
-      {"roots that are not " + said(filter),
-       "as asked for: " + counted(left, "root is", "roots are") + " not told"});
+  result.left_out.push_back(unwanted_roots_left_out(filter, left));
 }
 
 /// The boundary, as far as digits tell, belongs to p >= 0 and not to p > 0.
@@ -98,12 +91,7 @@ void keep_met(const Condition& condition, SolveResult& result) {
   const auto left =
       static_cast<std::uint64_t>(std::count(is_left_out.begin(), is_left_out.end(), true));
   result.filtered += drop_solutions(result, is_left_out);
-  std::string why = "as asked for: " + counted(left, "root is", "roots are") + " not told";
-  if (hidden_by_digits > 0) {
-    why +=
-        ", " + std::to_string(hidden_by_digits) + " of them on its boundary as far as digits tell";
-  }
-  result.left_out.push_back({"roots that do not meet " + condition.text, why});
+  result.left_out.push_back(roots_off_condition_left_out(condition.text, left, hidden_by_digits));
 }
 
 }  // namespace
@@ -130,7 +118,7 @@ std::vector<std::string> broken_rules(const RootFilter& filter,
 
 void keep_wanted(const RootFilter& filter, SolveResult& result) {
   require_unbroken(broken_rules(filter, result.system.variables));
-  if (!said(filter).empty()) keep_by_coordinates(filter, result);
+  if (asks_of_coordinates(filter)) keep_by_coordinates(filter, result);
   for (const Condition& condition : filter.conditions) keep_met(condition, result);
 }
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "moivre/expression/counted.h"
 #include "prepare.h"
+#include "solver_sentences.h"
 
 namespace moivre {
 
@@ -36,7 +36,7 @@ GivenStart start_from_member(const System& f, const System& g,
   start.scaling = scaling_to(f);
   start.plan = plan_from_roots(Homotopy(scale(f, start.scaling), scale(g, start.scaling)),
                                scaled_roots(roots_of_g, start.scaling));
-  start.why = "the " + counted(roots_of_g.size(), "root") + " of a generic member";
+  start.why = start_from_roots_of_member(roots_of_g.size());
   return start;
 }
 

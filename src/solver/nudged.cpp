@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "account.h"
-#include "moivre/expression/counted.h"
 #include "solution_distance.h"
+#include "solver_sentences.h"
 
 namespace moivre {
 namespace {
@@ -62,18 +62,12 @@ void keep_what_rounding_leaves(const SolveResult& nudged, SolveResult& result) {
       if (root.certified) root.certified = false;
     }
   }
-  if (in_doubt > 0) {
-    result.left_out.push_back(
-        {counted(in_doubt, "root") + " that may be none",
-         "sqrt(2), pi and the like are taken with 40 digits, and the digits behind them decide"});
-  }
+  if (in_doubt > 0) result.left_out.push_back(roots_that_may_be_none_left_out(in_doubt));
   if (!nudged.complete) return put_in_doubt(result, nudged.message);
   const bool is_one_system = nudged.solutions.size() == result.solutions.size() &&
                              nudged.completeness == result.completeness;
   if (in_doubt == 0 && is_one_system) return;
-  put_in_doubt(result,
-               "numbers that are no fractions (sqrt(2), pi) are taken with 40 digits, and which "
-               "roots there are hangs on the digits behind them");
+  put_in_doubt(result, doubt_message(SolveDoubt::roots_hang_on_hidden_digits));
 }
 
 }  // namespace moivre

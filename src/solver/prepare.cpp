@@ -7,9 +7,9 @@
 #include <limits>
 #include <numeric>
 
-#include "moivre/expression/counted.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/start/choose_start.h"
+#include "solver_sentences.h"
 
 namespace moivre {
 namespace {
@@ -99,9 +99,7 @@ Prepared prepare_reduced(Reduction reduction, const SolveOptions& options,
                                    : Scaling{std::vector<int>(reduced.variables.size()),
                                              std::vector<int>(reduced.polynomials.size())};
   if (!is_identity(prepared.scaling)) {
-    prepared.left_out.push_back(
-        {"scaled: " + to_text(prepared.scaling),
-         "coefficients far from 1 would hide roots from the tracker's tolerances"});
+    prepared.left_out.push_back(scaling_left_out(prepared.scaling));
   }
   const System scaled = scale(reduced, prepared.scaling);
   const System tracked = scale(scaled, unit_rows(scaled));
@@ -144,9 +142,7 @@ Prepared with_or_without_elimination(const System& f, const SolveOptions& option
       expected_cost(whole) >= expected_cost(reduced)) {
     return reduced;
   }
-  whole.left_out.push_back({"elimination of linear equations",
-                            "without it there are " + counted(whole.plan->paths, "path") +
-                                ", with it " + std::to_string(reduced.plan->paths)});
+  whole.left_out.push_back(elimination_left_out(whole.plan->paths, reduced.plan->paths));
   return whole;
 }
 
@@ -169,10 +165,8 @@ Prepared prepare(const System& f, const SolveOptions& options, const std::atomic
   const bool is_better = !isotropic.interrupted && isotropic.plan &&
                          kIsotropicGain * expected_cost(isotropic) < expected_cost(prepared);
   if (!is_better) return prepared;
-  isotropic.left_out.push_back({counted(pairs.size(), "pair") + " of unknowns as x + iy and x - iy",
-                                "there are " + counted(isotropic.plan->paths, "path") +
-                                    " so, and " + std::to_string(prepared.plan->paths) +
-                                    " in the file's unknowns"});
+  isotropic.left_out.push_back(
+      isotropic_pairs_left_out(pairs.size(), isotropic.plan->paths, prepared.plan->paths));
   return isotropic;
 }
 
@@ -187,7 +181,7 @@ Prepared prepare_given(const System& f, GivenStart start) {
   for (StartCount* count :
        {&prepared.start.counts.total_degree, &prepared.start.counts.multihomogeneous,
         &prepared.start.counts.mixed_volume}) {
-    count->missing = "the start is given";
+    count->missing = why_given_start_has_no_counts();
   }
   prepared.given_bound = std::move(start.bound);
   prepared.leads_to_all = start.is_complete;

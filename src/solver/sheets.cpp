@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "facts.h"
-#include "moivre/expression/counted.h"
 #include "refine.h"
+#include "solver_sentences.h"
 
 namespace moivre {
 namespace {
@@ -22,7 +22,7 @@ void multiply(std::uint64_t sheets, StartCount& count) {
   if (fits(sheets, *count.paths)) {
     *count.paths *= sheets;
   } else {
-    count = {std::nullopt, "beyond 64 bits"};
+    count = {std::nullopt, why_count_is_too_large()};
   }
 }
 
@@ -60,16 +60,6 @@ void multiply(std::uint64_t sheets, Refiner& refiner, Solution& root) {
   root.residual = refiner.residual(root.x);
 }
 
-std::string exponents_text(const PowerFree& bases) {
-  std::string text;
-  for (std::size_t i = 0; i < bases.exponents.size(); ++i) {
-    if (bases.exponents[i] == 1) continue;
-    text += text.empty() ? "equation " : ", equation ";
-    text += std::to_string(i + 1) + ": " + std::to_string(bases.exponents[i]);
-  }
-  return text;
-}
-
 }  // namespace
 
 void take_back_powers(const System& f, const PowerFree& bases, SolveResult& result) {
@@ -87,9 +77,7 @@ void take_back_powers(const System& f, const PowerFree& bases, SolveResult& resu
   if (result.bound && !result.bound->is_of_points()) result.bound->value *= sheets;
   result.failures = renumbered(sheets, result.failures);
   result.ledger = repeated(sheets, result.ledger);
-  result.left_out.push_back({"exponents of equations (" + exponents_text(bases) + ")",
-                             "the bases have the same roots; of " + counted(sheets, "path") +
-                                 " that coincide, one is followed"});
+  result.left_out.push_back(exponents_left_out(bases));
 }
 
 }  // namespace moivre

@@ -3,7 +3,6 @@
 #include "moivre/solver/solve.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <ctime>
 #include <functional>
 #include <new>
@@ -14,7 +13,6 @@
 #include "denominators.h"
 #include "ends.h"
 #include "facts.h"
-#include "moivre/expression/counted.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/polynomial/patches.h"
@@ -23,6 +21,7 @@
 #include "nudged.h"
 #include "settle.h"
 #include "sheets.h"
+#include "solver_sentences.h"
 #include "squared.h"
 #include "tracking.h"
 
@@ -44,8 +43,7 @@ SolveResult described(const Setting& setting) {
   result.tracker_options = setting.tracker().options_in_force();
   result.left_out = setting.prepared.left_out;
   if (!proves_beyond_double()) {
-    result.left_out.push_back({"certificates beyond double",
-                               "this program was built without them (MOIVRE_WITH_CERTIFY)"});
+    result.left_out.push_back(certificates_not_built_left_out());
   }
   result.time.threads = setting.threads;
   return result;
@@ -80,32 +78,28 @@ void enter_eliminated(Solution&& root, SolveResult& result) {
   if (!std::isfinite(max_norm(root.x))) {
     result.paths.failed = 1;
     result.failures.push_back({0, Failure::precision, 1});
-    put_in_doubt(result, "every unknown was eliminated: one root, beyond the range of double");
+    put_in_doubt(result, solve_message(SolveVerdict::eliminated_beyond_double));
     return;
   }
   result.paths.finite = 1;
   result.solutions.push_back(std::move(root));
-  result.message = "every unknown was eliminated: one root";
+  result.message = solve_message(SolveVerdict::eliminated);
   tell_eliminated(1, result);
 }
 
 /// A record of each path is kept in any case.
 void require_memory(const Setting& setting) {
-  constexpr double kGigabyte = 1e9;
   const std::uint64_t memory = setting.options.memory;
   const std::uint64_t paths = setting.prepared.start.paths;
   if (memory == 0 || paths <= memory / sizeof(PathRecord)) return;
-  char sizes[80];
-  std::snprintf(sizes, sizeof sizes, " take %.3g GB at least, and there are %.3g GB",
-                static_cast<double>(paths) * sizeof(PathRecord) / kGigabyte,
-                static_cast<double>(memory) / kGigabyte);
-  throw std::invalid_argument(counted(paths, "path") + sizes);
+  throw std::invalid_argument(paths_beyond_memory(
+      paths, static_cast<double>(paths) * sizeof(PathRecord), static_cast<double>(memory)));
 }
 
 /// False where paths have to be followed.
 bool decided_without_tracking(const Setting& setting, SolveResult& result) {
   if (setting.prepared.interrupted) {
-    result.message = "interrupted: no path was followed";
+    result.message = solve_message(SolveVerdict::interrupted_before_tracking);
     return true;
   }
   result.complete = true;
@@ -118,14 +112,12 @@ bool decided_without_tracking(const Setting& setting, SolveResult& result) {
       enter_eliminated(eliminated_root(setting), result);
       return true;
     case Reduction::Verdict::inconsistent:
-      result.message = "the equations contradict each other: no root";
+      result.message = solve_message(SolveVerdict::contradictory);
       tell_eliminated(0, result);
       return true;
     case Reduction::Verdict::dependent:
     case Reduction::Verdict::underdetermined:
-      result.message =
-          "the equations depend on each other: every root lies on a set of positive dimension, "
-          "none is isolated";
+      result.message = solve_message(SolveVerdict::dependent);
       tell_eliminated(0, result);
       return true;
     case Reduction::Verdict::overdetermined:
@@ -200,13 +192,9 @@ SolveResult solve_again(const System& f, const Tracker& tracker, SolveOptions op
   }
   std::erase_if(first.solutions, [](const Solution& root) { return root.certified != true; });
   if (compare(second, first).missed > 0) {
-    put_in_doubt(second, "a certified root of the " + to_string(first.start.source) +
-                             " start is missing among those of --start polyhedral");
+    put_in_doubt(second, certified_root_of_start_missing(first.start.source));
   }
-  second.left_out.push_back({"the " + to_string(first.start.source) + " start",
-                             std::to_string(first.paths.failed) + " of its " +
-                                 counted(first.paths.tracked, "path") +
-                                 " were undecided; the result is from --start polyhedral"});
+  second.left_out.push_back(failed_start_left_out(first.start.source, first.paths));
   second.time.start += first.time.total;
   second.time.total += first.time.total;
   return second;

@@ -12,13 +12,13 @@
 #include "moivre/algebra/local_multiplicity.h"
 #include "moivre/algebra/quotient_ring.h"
 #include "moivre/certify/certifier.h"
-#include "moivre/expression/counted.h"
 #include "moivre/polynomial/digits.h"
 #include "moivre/polynomial/exclusion.h"
 #include "moivre/polynomial/patches.h"
 #include "moivre/polynomial/square_up.h"
 #include "places.h"
 #include "refine.h"
+#include "solver_sentences.h"
 
 namespace moivre {
 namespace {
@@ -88,19 +88,14 @@ void tell_of_eliminated(const System& f, SolveResult& result) {
   const bool was_eliminated =
       result.complete && result.paths.tracked > 0 && result.reduced.variables.empty();
   if (!was_eliminated) return;
+  using enum SolveVerdict;
   const bool is_root = !result.solutions.empty();
   if (f.variables.empty()) {
-    result.message = is_root ? "the equations have no unknowns, and hold: one root, the empty point"
-                             : "the equations have no unknowns, and contradict each other: no root";
-  } else if (!is_root) {
     result.message =
-        "every unknown was eliminated: the root of the combinations is none of the file";
+        solve_message(is_root ? without_unknowns_holds : without_unknowns_contradictory);
+  } else if (!is_root) {
+    result.message = solve_message(eliminated_by_combining);
   }
-}
-
-std::string dropped_text(std::uint64_t excess) {
-  return counted(excess, "root of the combinations fails", "roots of the combinations fail") +
-         " an equation of the file";
 }
 
 /// All equations of f vanish at fractions within what is known of the root.
@@ -144,8 +139,7 @@ void require_proofs(const System& f, const System& combinations, const QuotientR
         drop_solutions_where(result, [](const Solution& root) { return !root.singular; });
     return;
   }
-  put_in_doubt(result, "whether the file's other equations vanish at " +
-                           counted(unknown.size(), "root") + " is not decided");
+  put_in_doubt(result, other_equations_undecided(unknown.size()));
 }
 
 /// Where exact algebra counts the different roots of all equations: they are those that are told,
@@ -156,9 +150,8 @@ void compare_with_algebra(const QuotientRing& ring, SolveResult& result) {
     for (Solution& root : result.solutions) root.cluster = false;
     return;
   }
-  put_in_doubt(result, "exact algebra counts " + counted(*ring.points, "different root") +
-                           " of the file's equations, those found are " +
-                           std::to_string(result.solutions.size()));
+  put_in_doubt(result, algebra_doubt(AlgebraCount::different_of_the_file, *ring.points,
+                                     result.solutions.size()));
 }
 
 /// Combinations may have a root more often than all equations together.
@@ -168,11 +161,7 @@ void tell_of_multiplicities(const QuotientRing& ring, SolveResult& result) {
   const bool is_finite = ring.verdict == QuotientRing::Verdict::finite;
   if (sum == result.solutions.size() || (is_finite && ring.dimension == sum)) return;
   result.left_out.push_back(
-      {"multiplicities of the file's equations",
-       "those told are the combinations', which may be larger" +
-           (is_finite ? "; exact algebra counts " + counted(ring.dimension, "root") +
-                            " of the file with their multiplicities"
-                      : std::string())});
+      multiplicities_left_out(is_finite ? std::optional(ring.dimension) : std::nullopt));
 }
 
 QuotientRing ring_of(const System& f, std::uint64_t seed) {
@@ -192,9 +181,7 @@ void tell_of_squared(bool is_overdetermined, bool are_told, SolveResult& result)
   result.completeness.reset();
   for (Solution& root : result.solutions) root.certified.reset();
   if (!are_told) return;
-  result.left_out.push_back(
-      {"certificates",
-       "a proved root of the combinations need not be a root of the file's equations"});
+  result.left_out.push_back(combined_certificates_left_out());
 }
 
 }  // namespace
@@ -218,8 +205,7 @@ void take_back(const System& f, const SolveOptions& options, SolveResult& result
   if (m > n) {
     const System combinations = squared(f, options);
     drop_excess(g, combinations, result);
-    result.left_out.push_back({counted(m, "equation") + " squared up to " + std::to_string(n),
-                               dropped_text(result.excess)});
+    result.left_out.push_back(combined_equations_left_out(m, n, result.excess));
     tell_of_eliminated(g, result);
     const bool is_exact = coefficient_errors(g).empty();
     const QuotientRing ring = is_exact ? ring_of(g, result.seed) : QuotientRing{};
@@ -228,18 +214,12 @@ void take_back(const System& f, const SolveOptions& options, SolveResult& result
     tell_of_multiplicities(ring, result);
   }
   tell_of_squared(m > n, options.certify, result);
-  if (m < n) {
-    result.left_out.push_back(
-        {"cut by " + counted(n - m, "equation"),
-         "asked for by --slice: the roots are witness points of sets of dimension " +
-             std::to_string(n - m)});
-  }
+  if (m < n) result.left_out.push_back(cut_sets_left_out(n - m));
   if (!has_patches) return;
   for (auto* const points : {&result.solutions, &result.on_sets}) {
     for (Solution& root : *points) root.x = normalized(f.groups, std::move(root.x));
   }
-  result.left_out.push_back({"a patch for each homogeneous group",
-                             "roots are told with one coordinate of each group equal to 1"});
+  result.left_out.push_back(patches_left_out());
 }
 
 }  // namespace moivre

@@ -8,11 +8,11 @@
 # Not seen: English that is put together in several statements, of two words each.
 cmake_minimum_required(VERSION 3.25)
 
-set(modules motion family closures)
+set(modules motion family closures solver)
 # What is thrown, or becomes so: broken rules and faults are collected first.
 set(refusals "throw |InvalidInput\\(|broken\\.(push|emplace)_back|, broken\\)|faults_?\\.(push|emplace)_back|refuse\\(|refusal \\+=")
 # Names of several words: values of an enumeration as results have them.
-set(names "turns over dead points"
+set(names "turns over dead points" "at infinity as rounded"
   # of four-bars, as src/closures/four_bars.cpp has them
   "double-crank with change points" "crank-rocker with change points" "double-rocker with change points"
   "rocker-crank with change points" "two pairs of equal links, with change points" "four equal links, with change points"
