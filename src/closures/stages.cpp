@@ -13,6 +13,7 @@
 #include "closure_sentences.h"
 #include "lone_equation.h"
 #include "moivre/formulation/exact.h"
+#include "moivre/numeric/near_points.h"
 #include "moivre/polynomial/eliminate.h"
 #include "quadratic_block.h"
 #include "shared_above.h"
