@@ -9,9 +9,9 @@
 #include "moivre/family/family_file.h"
 #include "moivre/family/learn.h"
 #include "moivre/family/members.h"
-#include "moivre/family_report/family_report.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moivre/numeric/threads.h"
+#include "moivre/report/family_report.h"
 
 namespace moivre::python {
 namespace {

@@ -7,7 +7,7 @@
 #include "command.h"
 #include "common_options.h"
 #include "interruption.h"
-#include "moivre/check_report/check_report.h"
+#include "moivre/report/check_report.h"
 #include "output.h"
 
 namespace moivre {

@@ -3,7 +3,7 @@
 // its true number of roots.
 #include "family_learn.h"
 #include "family_solve.h"
-#include "moivre/family_report/family_report.h"
+#include "moivre/report/family_report.h"
 #include "output.h"
 
 namespace moivre {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The judgement as JSON: the contract of docs/json.md.
-#include "moivre/check_report/check_report.h"
+#include "moivre/report/check_report.h"
 #include "moivre/report/json.h"
 
 namespace moivre {

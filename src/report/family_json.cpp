@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A family and its members as JSON and CSV.
-#include "moivre/family_report/family_report.h"
+#include "moivre/report/family_report.h"
 #include "moivre/report/json.h"
 #include "moivre/report/number_text.h"
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <utility>
 
-#include "moivre/check_report/check_report.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
+#include "moivre/report/check_report.h"
 #include "moivre/report/number_text.h"
 
 namespace moivre {

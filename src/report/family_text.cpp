@@ -4,7 +4,7 @@
 
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
-#include "moivre/family_report/family_report.h"
+#include "moivre/report/family_report.h"
 #include "moivre/report/number_text.h"
 
 namespace moivre {
