@@ -5,7 +5,7 @@
 
 set(MOIVRE_MODULES numeric factorization expression polynomial algebra certify homotopy tracker tracker_cvode tracker_lanes multiprecision endgame
     start bounds check solver family study mechanism urdf kinematics formulation closures motion design arms closure_study sweep report closure_report
-    arm_report sweep_report study_report run_ledger mpi_ranks cli)
+    arm_report study_report run_ledger mpi_ranks cli)
 
 set(MOIVRE_USES_numeric "")
 set(MOIVRE_USES_run_ledger numeric)
@@ -42,14 +42,13 @@ set(MOIVRE_USES_sweep closures family)
 # What is told of systems: roots, paths, judgements, families.
 set(MOIVRE_USES_report check family)
 set(MOIVRE_USES_design motion)
-set(MOIVRE_USES_closure_report design report)
-# The closures of a sample are shown as all closures are.
-set(MOIVRE_USES_sweep_report sweep closure_report)
+# What is told of mechanisms: closures, motions, sweeps.
+set(MOIVRE_USES_closure_report design sweep report)
 # A robot's postures are drawn by what draws closures.
 set(MOIVRE_USES_arm_report arms closure_report)
 set(MOIVRE_USES_study_report study report)
-set(MOIVRE_USES_cli closure_study multiprecision report study_report closure_report arm_report sweep_report
-    tracker_cvode tracker_lanes run_ledger mpi_ranks)
+set(MOIVRE_USES_cli closure_study multiprecision report study_report closure_report arm_report tracker_cvode tracker_lanes run_ledger
+    mpi_ranks)
 
 # Linked by one program alone (moivre-mpi), and not installed: moivre starts where there is no MPI.
 set(MOIVRE_OF_PROGRAMS mpi_ranks)
@@ -60,7 +59,7 @@ set(MOIVRE_DO_WITHOUT_multiprecision solver)
 # Modules that read, decide and write: their time goes into what they call, so that optimizing their own code further only
 # lengthens the build.
 set(MOIVRE_LIGHT run_ledger mpi_ranks expression multiprecision family bounds check study urdf formulation design arms closure_study sweep report closure_report
-    arm_report sweep_report study_report cli)
+    arm_report study_report cli)
 
 # Modules that add compiler flags of their own.
 set(MOIVRE_OWN_FLAGS certify tracker_lanes)
@@ -83,7 +82,6 @@ set(MOIVRE_THIRD_PARTY_urdf pugixml::pugixml)
 set(MOIVRE_THIRD_PARTY_check nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_closure_report nlohmann_json::nlohmann_json)
-set(MOIVRE_THIRD_PARTY_sweep_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_arm_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_study_report nlohmann_json::nlohmann_json)
 set(MOIVRE_THIRD_PARTY_cli CLI11::CLI11)

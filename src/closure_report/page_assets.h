@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What are the page's style and script? The texts of page.css, page.js and turning_page.js, put in
-// by the build.
+// What are the pages' styles and scripts? The texts of page.css, page.js, turning_page.js,
+// sweep_page.css and sweep_page.js, put in by the build.
 #pragma once
 
 #include <string_view>
@@ -10,5 +10,7 @@ namespace moivre {
 std::string_view page_style();
 std::string_view page_script();
 std::string_view turning_script();
+std::string_view sweep_page_style();
+std::string_view sweep_page_script();
 
 }  // namespace moivre

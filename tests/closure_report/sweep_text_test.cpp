@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "moivre/sweep_report/sweep_report.h"
+#include "moivre/closure_report/sweep_report.h"
 
 namespace moivre {
 namespace {

@@ -4,12 +4,12 @@
 #include <map>
 
 #include "assemblies_text.h"
+#include "moivre/closure_report/sweep_report.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
 #include "moivre/report/csv_cell.h"
 #include "moivre/report/json.h"
 #include "moivre/report/number_text.h"
-#include "moivre/sweep_report/sweep_report.h"
 
 namespace moivre {
 namespace {

@@ -18,15 +18,15 @@
 #include "moivre/closure_report/document.h"
 #include "moivre/closure_report/drawing.h"
 #include "moivre/closure_report/sheet.h"
+#include "moivre/closure_report/sweep_report.h"
 #include "moivre/expression/counted.h"
 #include "moivre/mechanism/closure_id.h"
 #include "moivre/mechanism/dimensions.h"
 #include "moivre/mechanism/joint_type.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/markup.h"
-#include "moivre/sweep_report/sweep_report.h"
+#include "page_assets.h"
 #include "plot_frame.h"
-#include "sweep_page_assets.h"
 
 namespace moivre {
 namespace {
@@ -72,7 +72,7 @@ std::vector<const SweepSample*> samples_of(const SweepResult& result, const Show
 
 /// In the file's units; a name that several dimensions share, as a driver's does, has the unit of
 /// all.
-std::string unit_of(const Mechanism& mechanism, const std::string& name) {
+std::string unit_of_dimension(const Mechanism& mechanism, const std::string& name) {
   for (const Dimension& dimension : dimensions(mechanism)) {
     if (dimension.name != name) continue;
     return dimension.is_angle ? mechanism.units.angle : mechanism.units.length;
@@ -204,7 +204,7 @@ Json axes_json(const Mechanism& mechanism, const SweepResult& result, const Show
     Json values = Json::array();
     for (const std::size_t k : shown.places[j]) values.push_back(result.varied[j].at(k));
     axes.push_back({{"name", result.varied[j].name},
-                    {"unit", unit_of(mechanism, result.varied[j].name)},
+                    {"unit", unit_of_dimension(mechanism, result.varied[j].name)},
                     {"values", std::move(values)}});
   }
   return axes;

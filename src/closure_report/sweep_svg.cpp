@@ -5,9 +5,9 @@
 #include <set>
 #include <utility>
 
+#include "moivre/closure_report/sweep_report.h"
 #include "moivre/report/markup.h"
 #include "moivre/report/number_text.h"
-#include "moivre/sweep_report/sweep_report.h"
 #include "plot_frame.h"
 
 namespace moivre {
@@ -27,7 +27,7 @@ std::string text_at(double x, double y, const char* anchor, const std::string& t
          escaped(text) + "</text>\n";
 }
 
-std::string line(double x1, double y1, double x2, double y2, const char* style) {
+std::string line_svg(double x1, double y1, double x2, double y2, const char* style) {
   return "<path d=\"M" + number(x1) + ' ' + number(y1) + 'L' + number(x2) + ' ' + number(y2) +
          "\" style=\"" + style + "\"/>\n";
 }
@@ -43,7 +43,7 @@ struct Axis {
 Axis horizontal(double from, double to) { return {from, to, kPlotLeft, kPlotRight}; }
 Axis vertical(double from, double to) { return {from, to, kPlotBottom, kPlotTop}; }
 
-std::string head(const std::string& title) {
+std::string picture_head(const std::string& title) {
   return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(kPictureWidth) +
          "\" height=\"" + number(kPictureHeight) + "\" viewBox=\"0 0 " + number(kPictureWidth) +
          ' ' + number(kPictureHeight) + "\" font-family=\"sans-serif\" font-size=\"13\">\n" +
@@ -105,8 +105,8 @@ std::string curve_of_all(const SweepResult& result, const Axis& x, const Axis& y
 }
 
 /// Steps: level up to where the next sample, or a border before it, says otherwise.
-std::string curve(const SweepResult& result, const Axis& x, const Axis& y, auto count,
-                  const char* style) {
+std::string count_curve(const SweepResult& result, const Axis& x, const Axis& y, auto count,
+                        const char* style) {
   std::string path;
   const auto add = [&](double at, const Assemblies& found) {
     path += (path.empty() ? 'M' : 'L') + number(x(at)) + ' ' +
@@ -191,18 +191,18 @@ std::string legend_of_marks(const SweepResult& result, double top) {
 
 /// A short line beside its meaning, on the right of the plot.
 std::string line_entry(double top, const char* style, const std::string& text) {
-  return line(kPlotRight + 8, top + 8, kPlotRight + 26, top + 8, style) +
+  return line_svg(kPlotRight + 8, top + 8, kPlotRight + 26, top + 8, style) +
          text_at(kPlotRight + 32, top + 12, "start", text);
 }
 
-std::string curve_svg(const SweepResult& result, const std::string& title) {
+std::string counts_svg(const SweepResult& result, const std::string& title) {
   std::uint64_t most = 1;
   for (const SweepSample& sample : result.samples)
     most = std::max({most, sample.complex, sample.found.real, sample.found.usable()});
   const Varied& varied = result.varied[0];
   const Axis x = horizontal(varied.from, varied.to);
   const Axis y = vertical(-0.5, static_cast<double>(most) + 0.5);
-  std::string svg = head(title) + bands(result, x) + frame() + ticks(varied, x, true);
+  std::string svg = picture_head(title) + bands(result, x) + frame() + ticks(varied, x, true);
   for (std::uint64_t k = 0; k <= most; ++k) {
     svg += text_at(kPlotLeft - 8, y(static_cast<double>(k)) + 4, "end", std::to_string(k));
   }
@@ -211,7 +211,7 @@ std::string curve_svg(const SweepResult& result, const std::string& title) {
   constexpr const char* kOfWanted = "stroke:#006d2c;stroke-width:2";
   const Wanted wanted = wanted_of(result);
   svg += curve_of_all(result, x, y, kOfAll);
-  svg += curve(
+  svg += count_curve(
       result, x, y, [](const Assemblies& found) { return found.real; }, kOfReal);
   double top = kPlotTop;
   const auto add_to_legend = [&](const char* style, const std::string& text) {
@@ -219,7 +219,7 @@ std::string curve_svg(const SweepResult& result, const std::string& title) {
     top += kLegendStep;
   };
   if (!wanted.is_real()) {
-    svg += curve(
+    svg += count_curve(
         result, x, y, [](const Assemblies& found) { return found.usable(); }, kOfWanted);
     add_to_legend(kOfWanted, wanted.name());
   }
@@ -228,8 +228,8 @@ std::string curve_svg(const SweepResult& result, const std::string& title) {
   svg += legend_of_marks(result, top);
   for (const SweepBorder& border : result.borders) {
     svg += "<g>" +
-           line(x(border.at[0]), kPlotTop, x(border.at[0]), kPlotBottom,
-                "stroke:#d94801;stroke-width:0.7") +
+           line_svg(x(border.at[0]), kPlotTop, x(border.at[0]), kPlotBottom,
+                    "stroke:#d94801;stroke-width:0.7") +
            "<title>" + escaped(varied.name) + " = " + number(border.at[0]) + "</title></g>\n";
   }
   svg += text_at((kPlotLeft + kPlotRight) / 2, kPictureHeight - 16, "middle", varied.name);
@@ -256,12 +256,12 @@ std::string cell_borders(const std::vector<const SweepBorder*>& points, const Ax
     my += y(point->at[1]) / static_cast<double>(points.size());
   }
   if (points.size() == 2) {
-    return line(x(points[0]->at[0]), y(points[0]->at[1]), x(points[1]->at[0]), y(points[1]->at[1]),
-                kStyle);
+    return line_svg(x(points[0]->at[0]), y(points[0]->at[1]), x(points[1]->at[0]),
+                    y(points[1]->at[1]), kStyle);
   }
   std::string svg;
   for (const SweepBorder* point : points) {
-    svg += line(x(point->at[0]), y(point->at[1]), mx, my, kStyle);
+    svg += line_svg(x(point->at[0]), y(point->at[1]), mx, my, kStyle);
   }
   return svg;
 }
@@ -307,7 +307,7 @@ std::string map_svg(const SweepResult& result, const std::string& title) {
   for (const SweepSample& sample : result.samples) counts.insert(sample.found.usable());
   const double width = (kPlotRight - kPlotLeft) / static_cast<double>(a.count - 1);
   const double height = (kPlotBottom - kPlotTop) / static_cast<double>(b.count - 1);
-  std::string svg = head(title) + "<clipPath id=\"map\">" + frame() + "</clipPath>\n" +
+  std::string svg = picture_head(title) + "<clipPath id=\"map\">" + frame() + "</clipPath>\n" +
                     "<g clip-path=\"url(#map)\" shape-rendering=\"crispEdges\">\n";
   for (const SweepSample& sample : result.samples) {
     const char* mark = mark_of(sample);
@@ -335,7 +335,7 @@ std::string map_svg(const SweepResult& result, const std::string& title) {
 
 std::string sweep_svg(const SweepResult& result, const std::string& file) {
   const std::string title = std::filesystem::path(file).filename().string();
-  return result.varied.size() == 1 ? curve_svg(result, title) : map_svg(result, title);
+  return result.varied.size() == 1 ? counts_svg(result, title) : map_svg(result, title);
 }
 
 }  // namespace moivre

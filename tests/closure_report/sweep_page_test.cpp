@@ -6,9 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "moivre/closure_report/sweep_report.h"
 #include "moivre/mechanism/dimensions.h"
 #include "moivre/mechanism/read.h"
-#include "moivre/sweep_report/sweep_report.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
 
 namespace moivre {
