@@ -113,8 +113,10 @@ Learning learning_of(const Json& json) {
   learning.standing = json.at("standing").get<std::string>();
   const Json& bound = json.at("bound");
   if (!bound.is_null()) {
-    const auto kind = bound_named(bound.at("kind").get<std::string>());
-    if (kind) learning.bound = MetBound{*kind, bound.at("value").get<std::uint64_t>()};
+    const auto name = bound.at("kind").get<std::string>();
+    const auto kind = bound_named(name);
+    if (!kind) throw InvalidInput("the file has a bound of an unknown kind, " + name);
+    learning.bound = MetBound{*kind, bound.at("value").get<std::uint64_t>()};
   }
   return learning;
 }

@@ -63,8 +63,9 @@ void add_endgame(FingerprintMaker& maker, const EndgameOptions& options) {
   maker.add(ends.maximum_steps);
 }
 
-OutcomeKind kind_of(const PathEnd& end) {
-  if (end.endgame_start) return OutcomeKind::other;
+/// may_wait: a path that has not reached its end goes on later, with the others.
+OutcomeKind kind_of(const PathEnd& end, bool may_wait) {
+  if (may_wait && end.endgame_start) return OutcomeKind::other;
   switch (end.status) {
     case PathStatus::finite:
       return OutcomeKind::root;
@@ -149,13 +150,13 @@ PathEnd end_of(std::string_view text) {
   return end;
 }
 
-KeptEnds::KeptEnds(Observations& observations, const Fingerprint& list)
-    : observations_(observations), list_(list) {}
+KeptEnds::KeptEnds(const PathProblem& problem, Observations& observations, const Fingerprint& list)
+    : observations_(observations), list_(list), may_wait_(problem.endgame.only_regular) {}
 
 void KeptEnds::take(std::uint64_t path, const PathEnd& end, EndPart part) {
   if (end.failure == Failure::cancelled) return;
   ++ended_;
-  JobOutcome outcome{path, bytes_of(end), kind_of(end)};
+  JobOutcome outcome{path, bytes_of(end), kind_of(end, may_wait_)};
   if (part == EndPart::of_others_too) {
     of_circles_.push_back(std::move(outcome));
   } else {
@@ -177,7 +178,7 @@ bool observe_paths(const PathProblem& problem, const PathList& paths, int tolera
           .follow(*shares);
     }
   }
-  KeptEnds kept(*observations, list);
+  KeptEnds kept(problem, *observations, list);
   const auto known = observations->recall(list);
   std::vector<std::uint64_t> others;
   for (std::uint64_t k = 0; k < paths.count; ++k) {

@@ -35,7 +35,7 @@ enum class EndPart { of_itself, of_others_too };
 /// when all have ended.
 class KeptEnds {
  public:
-  KeptEnds(Observations& observations, const Fingerprint& list);
+  KeptEnds(const PathProblem& problem, Observations& observations, const Fingerprint& list);
   void take(std::uint64_t path, const PathEnd& end, EndPart part);
   void keep_circles();
   std::uint64_t ended() const { return ended_; }
@@ -43,6 +43,7 @@ class KeptEnds {
  private:
   Observations& observations_;
   Fingerprint list_;
+  bool may_wait_ = false;
   std::uint64_t ended_ = 0;
   std::vector<JobOutcome> of_circles_ = {};
 };

@@ -49,7 +49,7 @@ SharedPaths::SharedPaths(const PathProblem& problem, const PathList& paths, int 
       observations_(observations),
       list_(list),
       options_(problem.endgame),
-      kept_(observations, list) {
+      kept_(problem, observations, list) {
   options_.may_wait = paths.count + paths.known > 1;
   for (std::uint64_t k = 0; k < paths.count; ++k) place_of_[paths.path_of(k)] = k;
 }

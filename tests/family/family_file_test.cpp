@@ -75,6 +75,10 @@ TEST(FamilyFile, RefusesWhatIsNotItsOwnWithTheReason) {
   later.replace(later.find("\"moivre_family\": 1"), 18, "\"moivre_family\": 9");
   EXPECT_EQ(refusal(sealed(later)),
             "f.family: the file has version 9, this program reads version 1");
+  std::string other = text;
+  other.replace(other.find("\"total degree\""), 14, "\"total decree\"");
+  EXPECT_EQ(refusal(sealed(other)),
+            "f.family: the file has a bound of an unknown kind, total decree");
 }
 
 TEST(FamilyFile, EveryChangedByteIsSeen) {
