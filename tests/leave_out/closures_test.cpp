@@ -5,14 +5,20 @@
 
 #include <gtest/gtest.h>
 
+#include "counted_calls.h"
+#include "moivre/formulation/formulation.h"
+#include "moivre/mechanism/phi.h"
 #include "moivre/mechanism/read.h"
 #include "moivre/motion/motion.h"
+#include "moivre/solver/solve.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
-#include "wrapped_kinematics.h"
-#include "wrapped_polynomials.h"
 
 namespace moivre {
 namespace {
+
+using Accelerations = test::Counted<&Phi::acceleration_rhs>;
+using Solves = test::Counted<&solve>;
+using Velocities = test::Counted<&Phi::velocity_rhs>;
 
 Mechanism four_bar() {
   return read_mechanism(
@@ -28,9 +34,9 @@ struct PolynomialCalls {
 
 PolynomialCalls polynomial_calls_of(auto&& action) {
   PolynomialCalls calls;
-  calls.closure_searches = test::closure_searches.calls_of([&] {
-    calls.closure_polynomials =
-        test::closure_polynomials.calls_of([&] { calls.solves = test::solves.calls_of(action); });
+  calls.closure_searches = test::calls_of<test::Counted<&find_closures>>([&] {
+    calls.closure_polynomials = test::calls_of<test::Counted<&formulate>>(
+        [&] { calls.solves = test::calls_of<Solves>(action); });
   });
   return calls;
 }
@@ -87,8 +93,8 @@ TEST(LeaveOut, AMotionAsksForVelocityAndAccelerationOnceASample) {
   const Mechanism mechanism = four_bar();
   int velocity_calls = 0;
   MotionResult result;
-  const int acceleration_calls = test::accelerations.calls_of([&] {
-    velocity_calls = test::velocities.calls_of(
+  const int acceleration_calls = test::calls_of<Accelerations>([&] {
+    velocity_calls = test::calls_of<Velocities>(
         [&] { result = follow_guesses(mechanism, {initial_guess(mechanism)}, short_motion()); });
   });
   ASSERT_EQ(result.branches.size(), 1U);
@@ -101,7 +107,7 @@ TEST(LeaveOut, AMotionAsksForVelocityAndAccelerationOnceASample) {
 TEST(LeaveOut, CheckpointsAndTheWayBackAskForNoVelocity) {
   const Mechanism mechanism = four_bar();
   MotionResult result;
-  const int velocity_calls = test::velocities.calls_of(
+  const int velocity_calls = test::calls_of<Velocities>(
       [&] { result = find_motion(mechanism, *make_cvode_tracker(), short_motion()); });
   ASSERT_EQ(result.branches.size(), 2U);
   EXPECT_EQ(velocity_calls, 2 * (short_motion().steps + 1));
@@ -113,8 +119,8 @@ TEST(LeaveOut, ClosuresAskForNoVelocity) {
   options.solve.threads = 1;
   ClosureResult result;
   int velocity_calls = 0;
-  const int acceleration_calls = test::accelerations.calls_of([&] {
-    velocity_calls = test::velocities.calls_of(
+  const int acceleration_calls = test::calls_of<Accelerations>([&] {
+    velocity_calls = test::calls_of<Velocities>(
         [&] { result = find_closures(mechanism, *make_cvode_tracker(), options); });
   });
   EXPECT_EQ(result.closures.size(), 2U);

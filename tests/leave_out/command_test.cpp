@@ -6,39 +6,11 @@
 #include <fstream>
 
 #include "command_line.h"
+#include "counted_packages.h"
+#include "moivre/closures/closures.h"
 #include "moivre/kinematics/mobility.h"
 #include "moivre/mechanism/read.h"
-#include "wrapped_polynomials.h"
-#include "wrapped_sundials.h"
-#include "wrapped_tbb.h"
-
-namespace {
-
-moivre::test::CallCounter toml_counter;
-moivre::test::CallCounter rank_counter;
-
-}  // namespace
-
-moivre::Mechanism real_read(const moivre::Source& source) __asm__(
-    "__real__ZN6moivre14read_mechanismERKNS_6SourceE");
-moivre::Mechanism wrap_read(const moivre::Source& source) __asm__(
-    "__wrap__ZN6moivre14read_mechanismERKNS_6SourceE");
-moivre::Mechanism wrap_read(const moivre::Source& source) {
-  toml_counter.raise();
-  return real_read(source);
-}
-
-moivre::ConstraintRank
-real_rank(const moivre::Phi& phi, const Eigen::VectorXd& q, double t, double fit) __asm__(
-    "__real__ZN6moivre15constraint_rankERKNS_3PhiERKN5Eigen6MatrixIdLin1ELi1ELi0ELin1ELi1EEEdd");
-moivre::ConstraintRank
-wrap_rank(const moivre::Phi& phi, const Eigen::VectorXd& q, double t, double fit) __asm__(
-    "__wrap__ZN6moivre15constraint_rankERKNS_3PhiERKN5Eigen6MatrixIdLin1ELi1ELi0ELin1ELi1EEEdd");
-moivre::ConstraintRank wrap_rank(const moivre::Phi& phi, const Eigen::VectorXd& q, double t,
-                                 double fit) {
-  rank_counter.raise();
-  return real_rank(phi, q, t, fit);
-}
+#include "moivre/solver/solve.h"
 
 namespace moivre {
 namespace {
@@ -46,12 +18,12 @@ namespace {
 const std::string kProblems = MOIVRE_SOURCE_DIR "/problems";
 
 struct Calls {
-  int toml_files = toml_counter.calls();
-  int sundials_contexts = test::sundials_contexts.calls();
-  int thread_pools = test::thread_pools.calls();
-  int closure_searches = test::closure_searches.calls();
-  int solves = test::solves.calls();
-  int ranks = rank_counter.calls();
+  int toml_files = test::Counted<&read_mechanism>::calls();
+  int sundials_contexts = test::SundialsContexts::calls();
+  int thread_pools = test::ThreadPools::calls();
+  int closure_searches = test::Counted<&find_closures>::calls();
+  int solves = test::Counted<&solve>::calls();
+  int ranks = test::Counted<&constraint_rank>::calls();
 };
 
 /// The calls that a command made; it must decide everything.
@@ -100,6 +72,7 @@ TEST(LeaveOut, MobilityTracksNoPath) {
   const Calls calls = calls_of({"mobility", kProblems + "/mechanisms/four-bar.toml"});
   EXPECT_EQ(calls.sundials_contexts, 0);
   EXPECT_EQ(calls.solves, 0);
+  EXPECT_EQ(calls_of({"solve", kProblems + "/polynomials/katsura-5.phc"}).solves, 1);
 }
 
 TEST(LeaveOut, RanksOfConstraintsAreFoundForJsonOnly) {

@@ -3,17 +3,20 @@
 // is wanted?
 #include <gtest/gtest.h>
 
+#include "counted_calls.h"
+#include "moivre/factorization/qr.h"
 #include "moivre/kinematics/state.h"
 #include "moivre/mechanism/mechanism.h"
+#include "moivre/mechanism/phi.h"
 #include "moivre/mechanism/read.h"
-#include "wrapped_kinematics.h"
 
 namespace moivre {
 namespace {
 
-using test::accelerations;
-using test::factorizations;
-using test::velocities;
+using Velocities = test::Counted<&Phi::velocity_rhs>;
+using Accelerations = test::Counted<&Phi::acceleration_rhs>;
+/// A factorization asks for the rank of its matrix, once.
+using Factorizations = test::Counted<&PivotedQr<double>::rank>;
 
 struct FourBar {
   Mechanism mechanism = read_mechanism(
@@ -24,9 +27,9 @@ struct FourBar {
 
 TEST(LeaveOut, NewtonAsksForNoVelocity) {
   int velocity_calls = 0;
-  const int acceleration_calls = accelerations.calls_of([&] {
-    velocity_calls =
-        velocities.calls_of([] { EXPECT_EQ(FourBar().pose.status, NewtonStatus::converged); });
+  const int acceleration_calls = test::calls_of<Accelerations>([&] {
+    velocity_calls = test::calls_of<Velocities>(
+        [] { EXPECT_EQ(FourBar().pose.status, NewtonStatus::converged); });
   });
   EXPECT_EQ(velocity_calls, 0);
   EXPECT_EQ(acceleration_calls, 0);
@@ -35,8 +38,8 @@ TEST(LeaveOut, NewtonAsksForNoVelocity) {
 TEST(LeaveOut, AccelerationIsSolvedWithTheFactorsOfVelocity) {
   const FourBar four_bar;
   MotionState state;
-  const int calls =
-      factorizations.calls_of([&] { state = motion_state(four_bar.phi, four_bar.pose.q, 0); });
+  const int calls = test::calls_of<Factorizations>(
+      [&] { state = motion_state(four_bar.phi, four_bar.pose.q, 0); });
   EXPECT_EQ(calls, 1);
   EXPECT_EQ(state.factorizations, 1);
 }
@@ -45,8 +48,9 @@ TEST(LeaveOut, PartitionedAccelerationIsSolvedWithTheFactorsOfVelocity) {
   const FourBar four_bar;
   const Phi joints = four_bar.phi.without_drivers();
   const Partition partition = choose_partition(joints, four_bar.pose.q);
-  const Vector one = Vector::Ones(static_cast<Eigen::Index>(partition.independent.size()));
-  const int calls = factorizations.calls_of(
+  const Eigen::VectorXd one =
+      Eigen::VectorXd::Ones(static_cast<Eigen::Index>(partition.independent.size()));
+  const int calls = test::calls_of<Factorizations>(
       [&] { partitioned_state(joints, partition, four_bar.pose.q, one, one); });
   EXPECT_EQ(calls, 1);
 }

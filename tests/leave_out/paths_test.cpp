@@ -5,32 +5,13 @@
 
 #include <mutex>
 
-#include "counted_calls.h"
+#include "counted_packages.h"
 #include "moivre/polynomial/read.h"
 #include "moivre/solver/solve.h"
+#include "moivre/tracker/path_system.h"
 #include "moivre/tracker/session.h"
 #include "moivre/tracker_cvode/cvode_tracker.h"
 #include "moivre/tracker_lanes/lane_tracker.h"
-#include "wrapped_sundials.h"
-#include "wrapped_tbb.h"
-
-namespace {
-
-moivre::test::CallCounter linearizations;
-
-}  // namespace
-
-bool real_linearize(moivre::PathSystem* path, std::span<const moivre::Complex> x, const moivre::PathTime& t) __asm__(
-    "__real__ZN6moivre10PathSystem9linearizeESt4spanIKSt7complexIdELm18446744073709551615EERKNS_"
-    "4TimeIS3_EE");
-bool wrap_linearize(moivre::PathSystem* path, std::span<const moivre::Complex> x, const moivre::PathTime& t) __asm__(
-    "__wrap__ZN6moivre10PathSystem9linearizeESt4spanIKSt7complexIdELm18446744073709551615EERKNS_"
-    "4TimeIS3_EE");
-bool wrap_linearize(moivre::PathSystem* path, std::span<const moivre::Complex> x,
-                    const moivre::PathTime& t) {
-  linearizations.raise();
-  return real_linearize(path, x, t);
-}
 
 namespace moivre {
 namespace {
@@ -151,7 +132,7 @@ TEST(LeaveOut, NoEndgameRunsOnRegularEnds) {
 TEST(LeaveOut, AnEndgameFactorsLessThanOnceAPathOnTheWayToRegularEnds) {
   const auto tracker = make_lane_tracker();
   const auto factorizations_of = [&](const std::string& name) {
-    return linearizations.calls_of([&] {
+    return test::calls_of<test::Counted<&PathSystem::linearize>>([&] {
       const SolveResult result = solve(problem(name), *tracker, on_threads(1));
       EXPECT_TRUE(result.complete);
     });
@@ -201,8 +182,8 @@ TEST(LeaveOut, FourPathsNeedNoThreadPool) {
   for (auto& inner : both_trackers()) {
     const CountingTracker tracker(std::move(inner));
     SolveResult result;
-    const int pools =
-        test::thread_pools.calls_of([&] { result = solve(four, tracker, on_threads(kThreads)); });
+    const int pools = test::calls_of<test::ThreadPools>(
+        [&] { result = solve(four, tracker, on_threads(kThreads)); });
     ASSERT_TRUE(result.complete);
     ASSERT_EQ(result.start.paths, 4U);
     EXPECT_EQ(pools, 0) << tracker.kind();
@@ -212,7 +193,7 @@ TEST(LeaveOut, FourPathsNeedNoThreadPool) {
 
 TEST(LeaveOut, ManyPathsTakeTheThreads) {
   const CountingTracker tracker(make_cvode_tracker());
-  const int pools = test::thread_pools.calls_of(
+  const int pools = test::calls_of<test::ThreadPools>(
       [&] { solve(problem("katsura-5"), tracker, on_threads(kThreads)); });
   EXPECT_GT(pools, 0);
   EXPECT_EQ(tracker.sessions, kThreads);
@@ -224,8 +205,9 @@ TEST(LeaveOut, LanesInitializeNothingOfSundials) {
   SolveOptions options = on_threads(1);
   options.fallback = fallback.get();
   int memories = 0;
-  const int contexts = test::sundials_contexts.calls_of([&] {
-    memories = test::cvode_memories.calls_of([&] { solve(problem("katsura-5"), *lanes, options); });
+  const int contexts = test::calls_of<test::SundialsContexts>([&] {
+    memories =
+        test::calls_of<test::CvodeMemories>([&] { solve(problem("katsura-5"), *lanes, options); });
   });
   EXPECT_EQ(contexts, 0);
   EXPECT_EQ(memories, 0);
@@ -233,8 +215,8 @@ TEST(LeaveOut, LanesInitializeNothingOfSundials) {
 
 TEST(LeaveOut, CvodeHasOneMemoryASession) {
   const auto tracker = make_cvode_tracker();
-  const int memories =
-      test::cvode_memories.calls_of([&] { solve(problem("katsura-5"), *tracker, on_threads(1)); });
+  const int memories = test::calls_of<test::CvodeMemories>(
+      [&] { solve(problem("katsura-5"), *tracker, on_threads(1)); });
   EXPECT_EQ(memories, 1);
 }
 
