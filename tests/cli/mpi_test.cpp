@@ -241,18 +241,19 @@ TEST(Ranks, AfterTheDeathOfOneTheSameCommandGoesOn) {
   scene.run(together(call, {"--quiet", "--json", "alone.json"}));
   const Words kept = together(call, {"--quiet", "--json", "r.json", "--ledger", "r.db"});
   for (const std::size_t victim : {0U, 1U, 2U}) {
-    const auto killed_after = [&](useconds_t wait) {
+    const auto killed_after = [&](double seconds) {
       for (const char* file : {"r.db", "r.db-wal", "r.db-shm"}) ::unlink(scene.path(file).c_str());
       return run_ranks(scene, 3, kept, [&](int mpirun) {
         const std::vector<int> ranks = ranks_of(mpirun, 3);
-        ::usleep(wait);
-        if (victim < ranks.size()) ::kill(ranks[victim], SIGKILL);
+        if (victim < ranks.size() && has_worked(ranks[victim], seconds)) {
+          ::kill(ranks[victim], SIGKILL);
+        }
       });
     };
     // A fast machine has ended before a late kill: then the kill comes twice as early.
-    useconds_t wait = 300'000 + 100'000 * static_cast<useconds_t>(victim);
-    Outcome killed = killed_after(wait);
-    while (killed.exit_code == 0 && wait > 0) killed = killed_after(wait /= 2);
+    double seconds = 0.3 + 0.1 * static_cast<double>(victim);
+    Outcome killed = killed_after(seconds);
+    while (killed.exit_code == 0 && seconds > 0.001) killed = killed_after(seconds /= 2);
     EXPECT_NE(killed.exit_code, 0) << "it ends before any kill";
     EXPECT_EQ(run_ranks(scene, 2, kept).exit_code, 0);
     EXPECT_EQ(timeless(scene.read("r.json")), timeless(scene.read("alone.json"))) << victim;
@@ -268,8 +269,10 @@ TEST(Ranks, PosesGoOnAfterTheDeathOfOne) {
     for (const char* file : {"r.db", "r.db-wal", "r.db-shm"}) ::unlink(scene.path(file).c_str());
     run_ranks(scene, 3, kept, [&](int mpirun) {
       const std::vector<int> ranks = ranks_of(mpirun, 3);
-      ::usleep(200'000 + 100'000 * static_cast<useconds_t>(victim));
-      if (victim < ranks.size()) ::kill(ranks[victim], SIGKILL);
+      const double seconds = 0.2 + 0.1 * static_cast<double>(victim);
+      if (victim < ranks.size() && has_worked(ranks[victim], seconds)) {
+        ::kill(ranks[victim], SIGKILL);
+      }
     });
     EXPECT_EQ(run_ranks(scene, 2, kept).exit_code, 0);
     EXPECT_EQ(timeless(scene.read("r.json")), timeless(scene.read("alone.json"))) << victim;

@@ -283,8 +283,12 @@ TEST(RunLedger, ATruncatedFileIsRefusedOrRight) {
   }
 }
 
-/// In a process that may write no file beyond so many bytes; its exit code says how it went.
+/// In a process that may write no file beyond so many bytes, which is room enough for what it
+/// commits at first; its exit code says how it went.
 int outcome_with_room(const std::string& file, rlim_t bytes) {
+  constexpr std::uint64_t kFirst = 500;
+  int go_on[2] = {};
+  EXPECT_EQ(::pipe(go_on), 0);
   const pid_t process = ::fork();
   if (process == 0) {
     std::signal(SIGXFSZ, SIG_IGN);
@@ -292,15 +296,20 @@ int outcome_with_room(const std::string& file, rlim_t bytes) {
     ::setrlimit(RLIMIT_FSIZE, &limit);
     std::atomic<bool> has_stopped{false};
     RunLedger ledger(file, kIdentity, [&] { has_stopped = true; });
-    for (std::uint64_t job = 0; job < 20'000 && !has_stopped; ++job) {
+    keep(ledger, kList, 0, kFirst);
+    char word = 0;
+    if (::read(go_on[0], &word, 1) != 1) ::_exit(9);
+    for (std::uint64_t job = kFirst; job < 20'000 && !has_stopped; ++job) {
       keep(ledger, kList, job, job + 1);
-      if (job % 10 == 0) ::usleep(2000);
     }
     ledger.close_observations();
     const bool is_told =
         ledger.failure().find("what was committed before stands") != std::string::npos;
     ::_exit(has_stopped && is_told ? 7 : 8);
   }
+  EXPECT_TRUE(has_more_outcomes_than(kFirst - 1, file));
+  EXPECT_EQ(::write(go_on[1], "", 1), 1);
+  for (const int end : go_on) ::close(end);
   int status = 0;
   ::waitpid(process, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
@@ -311,7 +320,7 @@ TEST(RunLedger, WhereThereIsNoMoreRoomItSaysSoAndLosesNothing) {
   EXPECT_EQ(outcome_with_room(folder.file(), rlim_t{400'000}), 7);
   RunLedger ledger(folder.file(), kIdentity);
   const auto outcomes = ledger.recall(kList);
-  EXPECT_GT(outcomes.size(), 100);
+  EXPECT_GE(outcomes.size(), 500);
   expect_right(outcomes);
 }
 
