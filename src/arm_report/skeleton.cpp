@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Beside the arm's length.
+// Relative to the arm's length.
 constexpr double kOnePlace = 0.02;
 constexpr double kSlide = 0.1;
 

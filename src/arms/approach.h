@@ -54,7 +54,7 @@ bool correct_at(const Arm& arm, const Placement<Complex>& pose, JointVector<Comp
 
 Placement<Complex> complex_placement(const Eigen::Isometry3d& pose);
 
-/// The largest difference, turns modulo whole ones, slides beside the arm's length.
+/// The largest difference, turns modulo whole ones, slides relative to the arm's length.
 double distance_of(const Arm& arm, const JointVector<Complex>& a, const JointVector<Complex>& b);
 
 /// No end is lost, and regular ones are different.

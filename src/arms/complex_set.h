@@ -5,8 +5,8 @@
 // rounding lets them be followed. Where a set is a plane its relations tell of its continuation;
 // one that is bent is followed back: from the place on along the directions in which the tip hardly
 // moves, complex ones, so that the imaginary parts become less, and back to the pose across them.
-// accuracy: radians, and lengths beside the arm's. Edges: a set of complex places without real ones
-// leads nowhere. Private to the module.
+// accuracy: radians, and lengths relative to the arm's. Edges: a set of complex places without real
+// ones leads nowhere. Private to the module.
 #pragma once
 
 #include <optional>

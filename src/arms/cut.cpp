@@ -13,9 +13,9 @@
 namespace moivre {
 namespace {
 
-/// Pairs that are nearer to meeting or to being parallel, beside the arm's size, are taken as if
-/// they were: the equations for that hold for all pairs, and the others lose as many digits as this
-/// has zeros.
+/// Pairs that are nearer to meeting or to being parallel, relative to the arm's size, are taken as
+/// if they were: the equations for that hold for all pairs, and the others lose as many digits as
+/// this has zeros.
 constexpr double kLeastQuality = 1e-5;
 
 /// A pair with a slide is taken only where others are nearly special: its space also holds slides
@@ -33,7 +33,7 @@ Columns unit_columns(const std::vector<RealDisplacement>& all) {
 }
 
 /// Study's form between the products 1 1 and step step, whose coordinates it couples: a sin(twist),
-/// beside the arm's size.
+/// relative to the arm's size.
 double quality(const Columns& products) {
   const auto first = products.col(0);
   const auto last = products.col(3);

@@ -19,7 +19,7 @@ constexpr double kContracts = 0.1;
 /// What forward kinematics may be wrong by.
 constexpr double kRounding = 1e-15;
 
-/// Second derivatives in a neighbourhood, beside the squares of the screws; 2 at the posture
+/// Second derivatives in a neighbourhood, relative to the squares of the screws; 2 at the posture
 /// itself.
 constexpr double kNeighbourhood = 4;
 

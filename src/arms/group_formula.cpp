@@ -18,7 +18,7 @@ using Vector3 = Eigen::Matrix<S, 3, 1>;
 template <class S>
 using Matrix3 = Eigen::Matrix<S, 3, 3>;
 
-/// e_1 and e_2 are dependent; lengths count beside the arm's.
+/// e_1 and e_2 are dependent; lengths count relative to the arm's.
 constexpr double kDependent = 1e-9;
 
 /// Cosine and sine of a joint's value.

@@ -31,7 +31,7 @@
 
 namespace moivre {
 
-/// From behind a joint to the next one, both axes along z; lengths beside the arm's.
+/// From behind a joint to the next one, both axes along z; lengths relative to the arm's.
 struct JointLink {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
   Eigen::Vector3d t = Eigen::Vector3d::Zero();

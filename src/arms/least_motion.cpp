@@ -16,7 +16,7 @@ namespace moivre {
 namespace {
 
 constexpr int kMost = 6;
-/// Beside the largest singular value.
+/// Relative to the largest singular value.
 constexpr double kClear = 1e-6;
 
 template <int N>
@@ -186,7 +186,7 @@ LeastMotion least_motion(const Screws<double>& screws) {
 
 // As many as pivots of the Gram matrix, less by the bound's square, are negative [Sylvester].
 int still_count(const Screws<double>& screws, double bound) {
-  constexpr double kTold = 1e-10, kPivot = 1e-12;  // beside the sum of squares
+  constexpr double kTold = 1e-10, kPivot = 1e-12;  // relative to the sum of squares
   const double size = screws.squaredNorm();
   if (screws.cols() == kMost && bound * bound > kTold * size) {
     Matrix6d shifted = gram_of(screws);

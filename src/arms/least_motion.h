@@ -5,7 +5,7 @@
 // Of up to six joints, at every posture of a list: the smallest eigenvalue of the screws' Gram
 // matrix, made tridiagonal, by Laguerre's iteration from below, which cannot pass it; its vector v
 // by inverse iteration. Squares lose half of the value's digits, but none of v's, if the next value
-// is not as small; the value is then |screws v|. A value below kClear beside the largest, or a
+// is not as small; the value is then |screws v|. A value below kClear relative to the largest, or a
 // vector that does not settle, is left to Jacobi's rotations (svd.h).
 // Edges: of two values that are equal, any vector of their plane.
 // Sources: [Parlett98].

@@ -182,7 +182,7 @@ OutcomeKind kind_of(const ArmResult& result) {
   return result.complete ? OutcomeKind::root : OutcomeKind::failed;
 }
 
-/// A result is told by its place: those behind a job that was cut short wait in the ledger.
+/// A result is passed on by its place: those behind a job that was cut short wait in the ledger.
 void take_before_first_gap(std::vector<std::optional<ArmResult>>&& results,
                            const std::function<void(ArmResult&& result)>& take) {
   for (std::optional<ArmResult>& result : results) {

@@ -68,7 +68,7 @@ Vector24<S> hessenberg_vector(const Matrix24& H, const S& value) {
   return x.normalized();
 }
 
-/// t_1, t_2, t_3 of a vector of monomials, where they can be told best.
+/// t_1, t_2, t_3 of a vector of monomials, where they are determined best.
 template <class S>
 std::array<S, 3> tangents_of(const Vector24<S>& m) {
   const auto ratio = [&m](int step, const auto& is_start) {

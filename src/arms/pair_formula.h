@@ -9,7 +9,7 @@
 // [SturmfelsZelevinsky94]:
 //   (A + t_4 B) m = 0,  eigenvalues t_4; vectors m tell the other three
 // Eight roots, more of special arms, are no closures: a joint has no inverse there, t = +-i. The
-// two neighbours are told by the coordinates of what they must do.
+// two neighbours are determined by the coordinates of what they must do.
 // Nothing is decided here, as with group_formula.h. Where B has no inverse nothing is proposed.
 // Not supported: slides, and a cut at neighbours whose axes all nearly meet or are parallel.
 // Sources: [RaghavanRoth93], [ManochaCanny94], [SturmfelsZelevinsky94].

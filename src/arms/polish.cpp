@@ -16,7 +16,8 @@ namespace {
 
 constexpr int kMostIterations = 40;
 constexpr int kMostDampedIterations = 200;
-/// Directions whose singular value is smaller, beside the largest, move nothing but by rounding.
+/// Directions whose singular value is smaller, relative to the largest, move nothing but by
+/// rounding.
 constexpr double kLeastMotion = 1e-12;
 /// What forward kinematics is wrong by: no step makes less of it.
 constexpr double kLastBits = 1e-15;

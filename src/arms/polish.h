@@ -2,10 +2,10 @@
 // Which joint values near these hold the pose? Newton's method on the product of transforms; no
 // polynomial is seen here.
 //
-// Error: translation beside the arm's length, and the rotation vector from the tip's orientation to
-// the pose's. Jacobian of screws, columns z x (tip - p), z of a turn, z, 0 of a slide. Steps are
-// least squares of least norm, directions that move nothing left out; damped where asked, for
-// starts that are far away.
+// Error: translation relative to the arm's length, and the rotation vector from the tip's
+// orientation to the pose's. Jacobian of screws, columns z x (tip - p), z of a turn, z, 0 of a
+// slide. Steps are least squares of least norm, directions that move nothing left out; damped where
+// asked, for starts that are far away.
 #pragma once
 
 #include "moivre/arms/arm_closures.h"
@@ -15,7 +15,7 @@ namespace moivre {
 
 /// The pose as seen from the tip at some joint values.
 struct Linearized {
-  Velocity6<double> error;  ///< translation beside the arm's length, rotation vector
+  Velocity6<double> error;  ///< translation relative to the arm's length, rotation vector
   Screws<double> screws;
 };
 Linearized linearized(const Arm& arm, const Eigen::Isometry3d& pose,

@@ -15,7 +15,7 @@ namespace moivre {
 namespace {
 
 /// Searches from random postures: where sets are, and where there is no posture: the nearest one is
-/// told.
+/// reported.
 constexpr std::uint64_t kForSets = 40, kForNearest = 4;
 
 /// All closures of the regular pose on their way to this one; ways differ until nothing speaks
@@ -239,8 +239,8 @@ void explain(PoseSearch& pose) {
     result.complete = false;
     result.message = "a set on which the joints move is too large to be told whole";
   }
-  // A posture within the digits would be told: there may be one where Newton's method did not come
-  // to an end.
+  // A posture within the digits would be reported: there may be one where Newton's method did not
+  // come to an end.
   const bool may_be_held =
       list.nearest && list.nearest->misfit <= list.accuracy + list.arm.rounding;
   if (has_none(list) && may_be_held) result.complete = false;

@@ -14,8 +14,8 @@
 namespace moivre {
 namespace {
 
-/// Coefficients below this, beside the largest, are zeros of the arm's structure: rounding of sums
-/// of numbers near 1.
+/// Coefficients below this, relative to the largest, are zeros of the arm's structure: rounding of
+/// sums of numbers near 1.
 constexpr double kStructuralZero = 1e-13;
 
 /// The member that the loop is.

@@ -11,10 +11,10 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Sines below are of parallel axes, distances beside the arm's length of axes that meet: files
-/// hold six decimals.
+/// Sines below are of parallel axes, distances relative to the arm's length of axes that meet:
+/// files hold six decimals.
 constexpr double kSame = 1e-5;
-/// Signs of what is smaller, beside its size, are rounding's.
+/// Signs of what is smaller, relative to its size, are rounding's.
 constexpr double kUndecided = 1e-9;
 
 struct Line {

@@ -181,7 +181,7 @@ std::optional<std::size_t> add(PostureList& list, TracedSet&& traced, bool is_wi
   traced.motion.within_digits = is_within_digits;
   // Where sets meet the posture may not be known well enough to be seen on one that is there.
   if (const auto same = set_of(list, traced.motion.values, stands_whole)) return same;
-  // An exact plane is told by its relations.
+  // An exact plane is recognized by its relations.
   const bool is_plane = is_there && !traced.motion.relations.empty();
   if (!traced.is_whole && !is_plane) list.are_sets_whole = false;
   list.moves.push_back(traced.motion);
@@ -190,7 +190,7 @@ std::optional<std::size_t> add(PostureList& list, TracedSet&& traced, bool is_wi
   return std::nullopt;
 }
 
-/// The one that is told, is as clear, and goes there; or the end.
+/// The one that is reported, is as clear, and goes there; or the end.
 std::vector<SelfMotion>::iterator told_as(PostureList& list, const SelfMotion& set) {
   return std::find_if(list.moves.begin(), list.moves.end(), [&](const SelfMotion& told) {
     if (told.dimension < set.dimension || told.misfit > kAsClear * set.misfit) return false;
@@ -282,8 +282,8 @@ bool is_piece(const SelfMotion& set, double accuracy) {
   return has_ends(set) && set.misfit <= kMuchLess * accuracy;
 }
 
-/// The largest of the sets through the posture that are told to be open within the accuracy. What
-/// is but a piece is none.
+/// The largest of the sets through the posture that are reported to be open within the accuracy.
+/// What is but a piece is none.
 int dimension_told(const PostureList& list, const Eigen::VectorXd& values, double accuracy) {
   int largest = 0;
   for (const SelfMotion& set : list.moves) {
@@ -311,8 +311,8 @@ std::vector<TracedSet> sets_through(const PostureList& list, const Eigen::Vector
   return sets;
 }
 
-/// A piece may go on within the accuracy, and close: whether that is told must not depend on where
-/// a way along it began.
+/// A piece may go on within the accuracy, and close: whether that is reported must not depend on
+/// where a way along it began.
 void follow_pieces(PostureList& list, double accuracy) {
   for (std::size_t k = 0; k < std::min(kMostFollowed, list.moves.size()); ++k) {
     if (!is_piece(list.moves[k], accuracy)) continue;
@@ -329,7 +329,7 @@ void follow_pieces(PostureList& list, double accuracy) {
   }
 }
 
-/// Other curves as the pose and the file have them, next to those that are told.
+/// Other curves as the pose and the file have them, next to those that are reported.
 void follow_near_curves(PostureList& list) {
   for (std::size_t k = 0; k < std::min(kMostFollowed, list.moves.size()); ++k) {
     if (list.moves[k].dimension != 1 || !stands_whole(list.moves[k])) continue;
@@ -423,7 +423,7 @@ PostureEntry enter(PostureList& list, const Polished& polished) {
   bool is_exact_one_sought = closure.smallest_singular_value <= kStandsAlone;
   const auto known = [&]() -> std::optional<PostureEntry> {
     if (const auto same = listed(list, closure)) {
-      // Of the two the one that holds the pose as typed is told.
+      // Of the two the one that holds the pose as typed is reported.
       ArmClosure& told = list.closures[*same];
       if (told.within_digits && !closure.within_digits) {
         closure.multiplicity = told.multiplicity;

@@ -26,13 +26,13 @@ struct FollowedFrom {
 struct PostureList {
   const Arm& arm;
   Eigen::Isometry3d pose;
-  double accuracy = kReach;  ///< of the pose: radians, and lengths beside the arm's
+  double accuracy = kReach;  ///< of the pose: radians, and lengths relative to the arm's
   std::uint64_t seed = 0;
   std::vector<ArmClosure> closures;
   std::vector<SelfMotion> moves;
   std::optional<NearestPosture> nearest;  ///< of all starts
   /// Places that hold the pose within its accuracy, but not to rounding as postures of six joints
-  /// do: of a set that is not told yet, or next to a closure.
+  /// do: of a set that is not reported yet, or next to a closure.
   std::vector<Eigen::VectorXd> places;
   /// Sets that were looked for, whether there was one or not.
   std::vector<FollowedFrom> followed;
@@ -43,7 +43,7 @@ struct PostureList {
   bool follows_digits = true;
   /// Those that are entered from now on are all there are: none has to be looked for on sets.
   bool has_all_closures = false;
-  /// What is told of a set shows all of it.
+  /// What is reported of a set shows all of it.
   bool are_sets_whole = true;
 };
 
@@ -66,11 +66,11 @@ PostureEntry enter(PostureList& list, const Eigen::VectorXd& start, bool is_far)
 /// Where Newton's method led to already.
 PostureEntry enter(PostureList& list, const Polished& polished);
 
-/// Sets through closures where more directions are open within the digits than the told sets go
+/// Sets through closures where more directions are open within the digits than the reported sets go
 /// along; within finer accuracies, too, where sets may cross. Where sets cross all are followed;
 /// and what the digits leave open lets places drift aside from a set that is open within much
 /// less, and hides it in a region. Before these, exact curves that come near to those that are
-/// told.
+/// reported.
 void follow_branches(PostureList& list);
 
 /// Where a start leads to a place at which sets may cross, the tip moves so little along two
@@ -81,7 +81,7 @@ void follow_crossing(PostureList& list, const Eigen::VectorXd& start);
 /// accuracy: a closure, where both meet.
 void enter_meeting(PostureList& list, const Eigen::VectorXd& place);
 
-/// Largest difference, turns modulo whole ones, slides beside the arm's length.
+/// Largest difference, turns modulo whole ones, slides relative to the arm's length.
 double distance(const Arm& arm, const Eigen::VectorXd& a, const Eigen::VectorXd& b);
 
 /// Turns in (-pi, pi], a half turn from either side as pi.

@@ -22,8 +22,8 @@ constexpr double kMissedPerError = 1e3;
 /// Where no equations were combined there are no others to tell apart, and closures of nearly
 /// special arms, next to joints without an inverse, miss by 1e-9.
 constexpr double kMissedByRounding = 1e-6;
-/// A quadratic whose coefficients are this small beside what they were summed from has no roots of
-/// its own.
+/// A quadratic whose coefficients are this small relative to what they were summed from has no
+/// roots of its own.
 constexpr double kVanishing = 1e-11;
 
 /// Coordinates in W of a pair: c c, c s, s c, s s.

@@ -199,7 +199,7 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
       return false;
     }
   }
-  if (own.empty()) return false;  // the nearest posture is told
+  if (own.empty()) return false;  // the nearest posture is reported
   list.closures.reserve(own.size());
   // As many closures are found as the regular pose has, and no path leads to them.
   auto regular = beginning.regular.roots.begin();
@@ -242,7 +242,7 @@ bool leads_to(const PostureList& list, const SelfMotion& set, const Eigen::Vecto
   });
 }
 
-/// Near to a set that is told, or one leads there; that takes longer.
+/// Near to a set that is reported, or one leads there; that takes longer.
 bool is_on_told(const PostureList& list, const Eigen::VectorXd& place) {
   return std::any_of(list.moves.begin(), list.moves.end(),
                      [&](const SelfMotion& set) { return is_on(list.arm, set, place, kNear); }) ||

@@ -25,7 +25,7 @@ struct PlaceOfEnd {
 
 /// A path that ended where closures meet, or where a set is.
 struct SingularEnd : PlaceOfEnd {
-  double imaginary_size = 0;  ///< of all joints, radians or lengths beside the arm's
+  double imaginary_size = 0;  ///< of all joints, radians or lengths relative to the arm's
   double added = 0;           ///< of the joints that were added
   double to_go = 0;           ///< how far it is from what the path leads to
 };
@@ -55,16 +55,16 @@ bool read_found(const ArmBeginning& beginning, const FoundClosures& found, Postu
 /// at a singular one that is not real or not the arm's own.
 bool is_explained(const SingularEnd& end, PostureList& list, PathsSeen& seen, ArmResult& result);
 
-/// Whether the end is on the continuation of a told set into complex numbers: paths slide along it,
-/// as slowly as rounding lets them be followed, and an arm as typed may have more closures there
-/// than the geometry that its digits stand for. Of a plane the relations tell, but for one that
-/// seems to hold the pose and ends; of other sets a way back to real postures (complex_set.h), at
-/// whose end sets are looked for once more. All real closures on it are listed: those of a curve by
-/// signs, those of a surface by Newton's method from places that are nowhere far.
+/// Whether the end is on the continuation of a reported set into complex numbers: paths slide along
+/// it, as slowly as rounding lets them be followed, and an arm as typed may have more closures
+/// there than the geometry that its digits stand for. Of a plane the relations tell, but for one
+/// that seems to hold the pose and ends; of other sets a way back to real postures (complex_set.h),
+/// at whose end sets are looked for once more. All real closures on it are listed: those of a curve
+/// by signs, those of a surface by Newton's method from places that are nowhere far.
 bool is_on_continuation(const PlaceOfEnd& end, PostureList& list);
 
-/// Whether a posture is of a told set that a coarse pose leaves open: it is near to the set, or the
-/// pose is held all the way from there, within its accuracy.
+/// Whether a posture is of a reported set that a coarse pose leaves open: it is near to the set, or
+/// the pose is held all the way from there, within its accuracy.
 bool is_of_open_set(const PostureList& list, const Eigen::VectorXd& values);
 
 /// Whether a place that holds the pose within its accuracy is of a set or a closure that is listed:

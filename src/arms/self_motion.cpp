@@ -23,7 +23,7 @@ using Eigen::VectorXd;
 
 /// A set that reaches less far is none, in probes; a curve that ends, from one end to the other.
 constexpr double kShortest = 4, kShortestCurve = 6;
-/// Singular values beside the largest: directions with larger ones do move the tip.
+/// Singular values relative to the largest: directions with larger ones do move the tip.
 constexpr double kMayStand = 0.02;
 /// A set of one dimension has at most so many samples to each side; for one of more dimensions so
 /// many ways are gone.
@@ -79,7 +79,7 @@ struct Still {
   VectorXd sigma;  ///< of one direction alone the last two
 };
 
-/// Of six joints one direction, or none, is told without the others.
+/// Of six joints one direction, or none, is found without the others.
 std::optional<Still> one_still(const Screws<double>& screws) {
   constexpr Index kJoints = 6;
   if (screws.cols() != kJoints) return std::nullopt;
@@ -407,7 +407,7 @@ struct Cover {
 Cover cover_of(const Arm& arm, const Eigen::Isometry3d& pose, const SetPlace& begin,
                double accuracy, double step) {
   constexpr int kSteps = 5;
-  constexpr double kLong = 3, kApart = 10;  // beside a step
+  constexpr double kLong = 3, kApart = 10;  // relative to a step
   Cover cover{{begin}};
   const auto is_covered = [&](const VectorXd& values) {
     return std::any_of(cover.places.begin(), cover.places.end(), [&](const SetPlace& place) {
@@ -481,7 +481,7 @@ MatrixXd far_reaching(const Arm& arm, const Eigen::Isometry3d& pose, const SetBe
   return spanned.cols() == 1 ? MatrixXd(far.leftCols(1)) : spanned;
 }
 
-/// A surface that is open within as much is told there: it is followed once.
+/// A surface that is open within as much is reported there: it is followed once.
 bool is_told_there(const Arm& arm, const std::vector<SelfMotion>& told, const SetBegin& begin,
                    double accuracy) {
   return std::any_of(told.begin(), told.end(), [&](const SelfMotion& set) {
@@ -506,8 +506,8 @@ std::optional<SetBegin> one_way(const Arm& arm, const Eigen::Isometry3d& pose, c
   return SetBegin{std::move(place), way};
 }
 
-/// Whether a curve that is told may be there: it reaches kShortestCurve probes, half of that to one
-/// side.
+/// Whether a curve that is reported may be there: it reaches kShortestCurve probes, half of that to
+/// one side.
 bool may_reach(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& begin,
                double accuracy) {
   constexpr int kSteps = 3;
@@ -521,7 +521,7 @@ bool may_reach(const Arm& arm, const Eigen::Isometry3d& pose, const SetBegin& be
   return reaches(way) || reaches(-way);
 }
 
-/// `size`: of probes and steps, beside the usual ones.
+/// `size`: of probes and steps, relative to the usual ones.
 std::optional<TracedSet> trace_at_size(const Arm& arm, const Eigen::Isometry3d& pose,
                                        std::optional<SetBegin> begin, const SetSought& sought,
                                        double size, const std::vector<SelfMotion>& told) {

@@ -36,17 +36,17 @@ struct TracedSet {
 bool has_ends(const SelfMotion& set);
 
 /// A set is followed from closures that stand on it, again and again, and drifts aside by what the
-/// accuracy leaves open: it is one that is told if it is no nearer to the pose by this factor, and
-/// no farther than this from that, radians and arm's lengths.
+/// accuracy leaves open: it is one that is reported if it is no nearer to the pose by this factor,
+/// and no farther than this from that, radians and arm's lengths.
 inline constexpr double kAsClear = 3, kBesideSet = 0.03;
 
 struct SetSought {
-  double accuracy = 0;  ///< radians, and lengths beside the arm's
+  double accuracy = 0;  ///< radians, and lengths relative to the arm's
   std::uint64_t seed = 0;
   bool for_closures = true;  ///< closures_near() is asked of it
 };
 
-/// nullopt where the posture stands alone, or on a surface that is told and as clear.
+/// nullopt where the posture stands alone, or on a surface that is reported and as clear.
 std::optional<TracedSet> trace_set(const Arm& arm, const Eigen::Isometry3d& pose,
                                    const Eigen::VectorXd& from, const SetSought& sought,
                                    const std::vector<SelfMotion>& told = {});

@@ -71,7 +71,7 @@ namespace {
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostJoints, kMostJoints>;
 using Frozen = Eigen::Ref<const Eigen::MatrixXd>;  // orthonormal columns
 
-/// A singular value beside which a miss is far.
+/// A singular value relative to which a miss is far.
 constexpr double kLongWay = kProbe / 10;
 
 /// Of the largest pivot, or of the sum of the squares of what moves the tip.
@@ -112,7 +112,7 @@ std::optional<Velocity6<double>> step_across_six(const Linearized& at, const Fro
   if (!(factors_of(others).least > 0)) return std::nullopt;
   const Velocity6<double> moved = free * weak;
   const double square = moved.squaredNorm();
-  const double miss = std::abs(moved.dot(at.error));  // beside the singular value, |moved|
+  const double miss = std::abs(moved.dot(at.error));  // relative to the singular value, |moved|
   const bool is_far = miss <= accuracy * std::sqrt(square) && miss > kLongWay * square;
   return is_far ? Velocity6<double>(step - weak.dot(step) * weak) : step;
 }

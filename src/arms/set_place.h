@@ -10,8 +10,8 @@
 //              is short leaves nothing that is within the accuracy and far; then the normal
 //              equations give it, otherwise the singular value decomposition tells which to drop
 //   moved      a step along a direction, and back to the set across it
-// accuracy: radians, and lengths beside the arm's. Edges: a place may miss the pose by more than
-// that; its residual tells. Private to the module.
+// accuracy: radians, and lengths relative to the arm's. Edges: a place may miss the pose by more
+// than that; its residual tells. Private to the module.
 #pragma once
 
 #include <deque>

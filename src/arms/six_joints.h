@@ -27,7 +27,7 @@ struct SixJoints {
 };
 
 /// Joints that can be held so that the rest, as many as the screws' rank, are all needed. Ranks are
-/// of random postures; what is smaller than `tolerance` beside the arm's motions is 0.
+/// of random postures; what is smaller than `tolerance` relative to the arm's motions is 0.
 std::vector<std::size_t> idle_in_every_posture(const Arm& arm, std::uint64_t seed,
                                                double tolerance);
 

@@ -4,8 +4,8 @@
 //   tip(q) = B_1 J_1(q_1) ... B_n J_n(q_n) T,  a rotation R (3 x 3) and a place p, of the numbers
 //                                              as typed
 //   screws, 6 x n: column k is the tip's velocity where joint k alone moves at speed 1. Rows 1 to
-//   3: its translation beside the arm's length; rows 4 to 6: its rotation. A slide's speed 1 is an
-//   arm's length.
+//   3: its translation relative to the arm's length; rows 4 to 6: its rotation. A slide's speed 1
+//   is an arm's length.
 // For complex q the same formulas hold: R is then complex orthogonal (R^T R = 1).
 #pragma once
 
@@ -125,7 +125,7 @@ TipMotion<S> tip_motion(const Arm& arm, const JointVector<S>& q) {
 template <>
 TipMotion<double> tip_motion<double>(const Arm& arm, const JointVector<double>& q);
 
-/// From `from` to `to`, to first order: translation beside the arm's length, rotation.
+/// From `from` to `to`, to first order: translation relative to the arm's length, rotation.
 template <class S>
 Velocity6<S> small_difference(const Arm& arm, const Placement<S>& to, const Placement<S>& from) {
   const Eigen::Matrix<S, 3, 3> E = to.R * from.R.transpose();

@@ -63,7 +63,7 @@ void judge_bound(const Claims& claims, const StandIn& stand_in, Verdicts& verdic
   if (claims.completeness != "proved") {
     return verdicts.refute(ClaimKind::bound, "said to be met, and completeness not to be proved");
   }
-  // Of roots that are not told it is known how often they count, not how many they are.
+  // Of roots that are not listed it is known how often they count, not how many they are.
   const std::uint64_t roots = roots_counted(claims, *kind);
   if (roots > value || value - roots > claims.left_out) {
     const std::string untold =

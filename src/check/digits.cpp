@@ -78,7 +78,7 @@ ExactPart middle(const Certificate& c, std::size_t j) {
 /// In the order in which one outweighs another.
 enum class Fit { right, unknown, wrong };
 
-/// "0" stands for a part of which no digit is known: it vanishes beside the point.
+/// "0" stands for a part of which no digit is known: it vanishes relative to the point.
 Fit fit(const std::string& text, const Rational& part, double error, const Rational& vanishing) {
   const auto decimal = read_decimal(text);
   if (!decimal) return Fit::wrong;

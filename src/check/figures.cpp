@@ -127,7 +127,7 @@ struct Found {
   double other = 0;  ///< condition in other units, where the least does not reach what is stated
 };
 
-/// bases: the system of which a root's condition is told.
+/// bases: the system of which a root's condition is stated.
 Found found_of(const Bench& bench, Figures& figures, Figures& bases, std::size_t k) {
   const RootClaim& root = bench.claims.roots[k];
   Found found;

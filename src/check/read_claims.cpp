@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The form of a result, told by its first character and by the head of a list.
+// The form of a result, recognized by its first character and by the head of a list.
 
 #include "moivre/numeric/invalid_input.h"
 #include "read_forms.h"

@@ -97,7 +97,7 @@ Distinctness judge_distinct(Bench& bench) {
   return d;
 }
 
-/// By the numbers alone: imaginary parts beside the stated accuracy.
+/// By the numbers alone: imaginary parts relative to the stated accuracy.
 void judge_real_by_numbers(Bench& bench, const Entry& entry, bool real, std::size_t number) {
   double largest = 0;
   for (const Complex& xj : bench.claims.roots[number - 1].x) {

@@ -45,7 +45,7 @@ std::string place_of(const Extreme& extreme, const Mechanism& mechanism) {
   return text;
 }
 
-/// What is smaller beside the largest number of its unit is rounding.
+/// What is smaller relative to the largest number of its unit is rounding.
 constexpr double kNoiseShare = 1e-11;
 
 /// Largest finite magnitude of each unit over all branches.

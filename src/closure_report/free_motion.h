@@ -9,7 +9,7 @@
 
 namespace moivre {
 
-/// The direction that Phi_q sees least at q, of length 1 where lengths are taken beside the
+/// The direction that Phi_q sees least at q, of length 1 where lengths are taken relative to the
 /// mechanism's (angles in radians, n entries):
 /// the motion itself where there is one, else what comes nearest to one.
 Eigen::VectorXd free_motion(const Phi& phi, const Eigen::VectorXd& q, double t);

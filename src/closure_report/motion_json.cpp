@@ -116,7 +116,7 @@ void write_branch(const MotionBranch& branch, const Mechanism& mechanism, const 
 }
 
 /// How the pose can move on where a branch cannot, though the drivers stand: one such direction, of
-/// length 1 (angles in radians, lengths beside the mechanism's). A joint's limit holds nothing
+/// length 1 (angles in radians, lengths relative to the mechanism's). A joint's limit holds nothing
 /// else.
 Json free_motion_json(const MotionEvent& event, const Mechanism& mechanism, const Phi& phi) {
   if (event.at.kind == EventKind::joint_limit) return nullptr;

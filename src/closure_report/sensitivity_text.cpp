@@ -25,7 +25,7 @@ using TableRow = std::vector<std::string>;
 // Of the largest number of its kind; less is rounding.
 constexpr double kSensitivityNoise = 1e-11;
 
-/// Four digits; rounding noise beside `size` is 0.
+/// Four digits; rounding noise relative to `size` is 0.
 std::string rate_text(double x, double size) {
   if (std::isnan(x)) return "-";
   if (std::abs(x) <= kSensitivityNoise * size) return "0";

@@ -32,7 +32,7 @@ constexpr double kRodWidth = 3;
 constexpr double kFrameWidth = 2;
 constexpr double kFineWidth = 1.5;
 
-// Lengths beside the radius of what is shown.
+// Lengths relative to the radius of what is shown.
 constexpr double kTriad = 0.35;
 constexpr double kFrame = 0.16;
 constexpr double kAxis = 0.06;

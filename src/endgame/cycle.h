@@ -11,7 +11,7 @@
 // p_1(0) ... p_m(0) determine the m limits up to order. All limits are 0 if and only if all m sums
 // are; whatever finite root the circle has among its sheets, be it far nearer to t = 1 than r,
 // leaves a sum that is not 0. A sum counts as 0 where it is lost in the errors of the samples
-// beside the mean of |z|^k; then no limit exceeds limit_bound().
+// relative to the mean of |z|^k; then no limit exceeds limit_bound().
 // Poles of z inside the circle are excluded: z is a coordinate on an affine patch that the path
 // does not leave there.
 //

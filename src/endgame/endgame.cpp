@@ -142,7 +142,7 @@ std::optional<PathSegment> Endgame::hand_on(std::optional<PathSegment> next, Pat
   return next;
 }
 
-// Not from a regular end: that one root is at the end of one path alone is told by the root.
+// Not from a regular end: that one root is at the end of one path alone follows from the root.
 bool Endgame::may_go_back() const {
   const bool is_told_by_circles = end_.status == PathStatus::at_infinity || end_.winding;
   return options_.goes_back && !waits_ && phase_ != Phase::way_back && !turn_begin_.empty() &&
@@ -433,9 +433,10 @@ bool Endgame::errors_explain(PathSystem& path) const {
   return sums.sum <= options_.ends.zero_sum && sums.error <= options_.ends.sample_error;
 }
 
-// A large finite root with the same face is told by the errors of the samples. Where these leave a
-// doubt, or are large, the samples get all their digits first, so that no error of theirs passes
-// for one of the file. What the digits of the coefficients explain is at infinity as rounded.
+// A large finite root with the same face is recognized by the errors of the samples. Where these
+// leave a doubt, or are large, the samples get all their digits first, so that no error of theirs
+// passes for one of the file. What the digits of the coefficients explain is at infinity as
+// rounded.
 FaceRoot Endgame::confirmed(FaceRoot place, PathSystem& path) {
   const auto measured = [&] { return sums_and_errors(samples_of_x0(), turns_, 0, options_.ends); };
   if (place == FaceRoot::exact) {
@@ -463,7 +464,7 @@ bool Endgame::sheets_meet(const Point& x) const {
 }
 
 // Simple roots that lie beside each other meet as far as the samples tell, on a circle that is wide
-// beside their distance.
+// relative to their distance.
 bool Endgame::sheets_meet_in_all_digits(PathSystem& path) {
   if (!polish_samples(path)) return true;
   const Complex common = combinations({laurent_coefficient(0)}, path_).front();
@@ -564,8 +565,8 @@ std::optional<PathSegment> Endgame::conclude(PathSystem& path) {
   return take_finite();
 }
 
-// x_0 beside its error. That it is 0, no number of digits tells: a root of size 1e31 ends as an end
-// at infinity does.
+// x_0 relative to its error. That it is 0, no number of digits tells: a root of size 1e31 ends as
+// an end at infinity does.
 bool Endgame::is_known_finite() const {
   return chart_.finiteness(end_.x) > options_.ends.known_size * end_.accuracy;
 }

@@ -44,7 +44,7 @@ std::optional<Direction> direction_of(const std::vector<double>& valuations,
   return std::nullopt;
 }
 
-/// A term of a face in the units of the point, beside the largest of its equation.
+/// A term of a face in the units of the point, relative to the largest of its equation.
 struct FaceTerm {
   Number c;
   const NumberErrors* errors;  ///< of c, relative
@@ -76,8 +76,8 @@ class Faces {
                        [](const Face& face) { return face.size() > 1; });
   }
 
-  /// Gauss-Newton from y, in the units. Singular values of the Jacobian below a threshold, beside
-  /// the largest, are those of the torus that acts on all roots of a face, or of directions in
+  /// Gauss-Newton from y, in the units. Singular values of the Jacobian below a threshold, relative
+  /// to the largest, are those of the torus that acts on all roots of a face, or of directions in
   /// which a step would lead astray. Towards a multiple root others become small too: where what is
   /// left lies in the directions cut off, fewer of them are.
   FaceRoot root_near(std::vector<Number> y) const {

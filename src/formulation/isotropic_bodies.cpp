@@ -327,7 +327,7 @@ class Bodies {
   }
 
   /// p, linear in lengths, without what points as typed leave where they mean nothing: a
-  /// coefficient that is rounding beside the mechanism's size would be a root at 1e16.
+  /// coefficient that is rounding relative to the mechanism's size would be a root at 1e16.
   Polynomial without_rounding(Polynomial p) const {
     if (frame_.has_factors()) return p;
     constexpr double kRounding = 2e-15;  // a sum of a few lengths right to 2^-53

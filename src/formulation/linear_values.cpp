@@ -9,8 +9,8 @@
 namespace moivre {
 namespace {
 
-// Beside the polynomial's largest coefficient: products of a few decimals of 16 digits are right to
-// this.
+// Relative to the polynomial's largest coefficient: products of a few decimals of 16 digits are
+// right to this.
 constexpr double kOfLargest = 1e-12;
 
 }  // namespace

@@ -3,8 +3,8 @@
 //
 // Gauss-Jordan elimination of lengths by the equations of degree 1, exact; then t u = 1 for every
 // pair of directions.
-// Edges: a coefficient of rounding beside those of the polynomial counts as zero, since axes are
-// typed in decimals.
+// Edges: a coefficient of rounding relative to those of the polynomial counts as zero, since axes
+// are typed in decimals.
 // Not supported: values that follow from equations of higher degree, or from sums of directions.
 #pragma once
 

@@ -126,7 +126,7 @@ std::vector<std::optional<KnownAngle>> known_angles(
       agrees &= angles.add(gear_row(joint, mechanism.units));
     }
   }
-  // A slide that disagrees with the angles is told by who knows both.
+  // A slide that disagrees with the angles is reported by who knows both.
   for (std::size_t k = 0; k < slides.size(); ++k) {
     const Joint& joint = mechanism.joints[k];
     if (!slides[k] || joint.type == JointType::cam) continue;

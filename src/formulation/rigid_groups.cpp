@@ -26,7 +26,7 @@ ExactPose driven_motion(const DrivenJoint& driven) {
   return motion;
 }
 
-/// Whether two poses are one, lengths beside `size`.
+/// Whether two poses are one, lengths relative to `size`.
 bool is_same(const ExactPose& a, const ExactPose& b) {
   const DualQuaternion<double> apart = to_double(conjugate(a) * b);
   const double size = std::sqrt(dot(apart.q, apart.q));

@@ -120,7 +120,7 @@ RigidGroups rigid_groups(const Mechanism& mechanism, double t);
 
 /// Replaces links between spherical joints by rods.
 void leave_out_rods(RigidGroups& groups);
-// Axes are parallel, across or meet to `rounding`, in radians or beside the link's size.
+// Axes are parallel, across or meet to `rounding`, in radians or relative to the link's size.
 /// Replaces links of `among` by cones.
 void leave_out_cones(RigidGroups& groups, const std::vector<std::size_t>& among, double rounding);
 /// Replaces struts of `among` by rods and meetings.

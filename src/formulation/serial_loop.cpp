@@ -210,7 +210,7 @@ std::optional<std::vector<Tie>> loop_of(const RigidGroups& groups, const Part& p
 
 void add_loop(SpatialFrame& frame, const RigidGroups& groups, const std::vector<Tie>& loop) {
   JointLoop joints = at_rest(frame, groups, loop);
-  // What is told from rounding by far.
+  // Far above rounding.
   constexpr double kContradicts = 1e-8;
   const double left = turn_not_made_up(joints);
   if (left > kContradicts) {

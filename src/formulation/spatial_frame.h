@@ -30,7 +30,7 @@ MovingPose to_moving(const ExactPose& pose);
 
 Polynomial real_constant(const Rational& c);
 
-/// p but for terms that are rounding beside `size`.
+/// p but for terms that are rounding relative to `size`.
 Polynomial without_noise(Polynomial p, double size);
 
 class SpatialFrame : public Frame {

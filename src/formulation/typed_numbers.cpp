@@ -14,7 +14,7 @@ namespace {
 
 // A decimal of so many digits is the only one that is rounded to its double.
 constexpr int kSureDigits = 15;
-// What a double is off by at most, beside its size.
+// What a double is off by at most, relative to its size.
 constexpr double kHalfUnit = 0x1p-53;
 
 int digits_of(const Rational& decimal) {

@@ -14,8 +14,8 @@
 
 namespace moivre {
 
-/// What is computed in double is right to this, beside what it is made of: a hundred operations,
-/// each right to a few units of the last digit.
+/// What is computed in double is right to this, relative to what it is made of: a hundred
+/// operations, each right to a few units of the last digit.
 inline constexpr double kComputed = 0x1p-44;
 
 /// |number - value| <= error.

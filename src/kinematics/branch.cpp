@@ -50,18 +50,19 @@ constexpr double kRoundingOfPoints = 4e-16;
 constexpr double kSameVector = 0.5;
 // A tangent with less of time in it than this stands across.
 constexpr double kAcross = 1e-9;
-// Curve time beside 1: what is nearer to an event than this is the event.
+// Curve time relative to 1: what is nearer to an event than this is the event.
 constexpr double kEventWidth = 1e-12;
 // Likewise where a sample beside a dead point cannot be told from the branch that it meets there.
 constexpr double kDeadPointWidth = 1e-9;
-// A sample's correction beside the step, in y; beyond, the step was too long for the interpolation.
+// A sample's correction relative to the step, in y; beyond, the step was too long for the
+// interpolation.
 constexpr double kSampleMiss = 0.05;
 // A correction this small leaves an error of its square.
 constexpr double kSampleConverged = 1e-8;
 constexpr int kSampleCorrections = 8;
 
-/// q with the coordinates that are rounding noise beside the others at 0, where that leaves less of
-/// Phi: a row whose terms are noise has no scale of its own.
+/// q with the coordinates that are rounding noise relative to the others at 0, where that leaves
+/// less of Phi: a row whose terms are noise has no scale of its own.
 VectorXd least_residual(const Phi& phi, const VectorXd& q, double t) {
   const VectorXd clean = without_noise(phi, q);
   if (clean == q) return q;
@@ -126,7 +127,7 @@ class Follower {
   bool still_fits(const VectorXd& y);
   double step_length() const;
   struct Bend {
-    double miss = 0;      ///< of the prediction, beside the step
+    double miss = 0;      ///< of the prediction, relative to the step
     double turn_rad = 0;  ///< of the tangent
   };
   Bend bend_of(const CurvePoint& b, const VectorXd& predicted, double h) const;

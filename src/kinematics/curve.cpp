@@ -97,7 +97,7 @@ class Curve::Bordered {
     }
     return v;
   }
-  /// Whether the tangent and the weakest vector are told by the stairs.
+  /// Whether the tangent and the weakest vector follow from the staircase QR.
   bool is_clear() const { return stairs_ && stairs_->smallest_diagonal() > kSmallDiagonal; }
   const VectorXd& tangent() const { return tangent_; }
 

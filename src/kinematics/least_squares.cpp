@@ -13,7 +13,7 @@ namespace moivre {
 Eigen::VectorXd least_squares_pose(const Phi& phi, const Eigen::VectorXd& guess, double t) {
   require_place(phi, guess, t);
   constexpr int kSteps = 60;
-  constexpr double kAtRest = 1e-12;  // beside the mechanism's size
+  constexpr double kAtRest = 1e-12;  // relative to the mechanism's size
   constexpr double kMostDamping = 1e12;
   const Eigen::VectorXd unit = phi.own_units();
   const Eigen::VectorXd row_unit = phi.own_row_units();

@@ -21,7 +21,7 @@ using Eigen::VectorXd;
 // Two steps: a set that turns back before the longer one is met by the shorter. Beside an isolated
 // pose of multiplicity 7 Phi stays near 0.02^7 = 1e-12 of its terms, above rounding.
 constexpr double kSteps[] = {0.1, 0.02};
-constexpr double kOnTheSet = 1e-13;  // |Phi_i| beside the length of its row at the pose
+constexpr double kOnTheSet = 1e-13;  // |Phi_i| relative to the length of its row at the pose
 constexpr double kNeighbourhood =
     10;  // steps: a pose further away is not the neighbour that is looked for
 constexpr int kMaximumIterations = 60;

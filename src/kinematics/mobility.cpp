@@ -23,10 +23,11 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kNearSingular = 1e-5;  // singular value beside the largest, equilibrated: warn
-constexpr double kNegligible = 1e-9;    // share of a row in a combination: rounding
+// Singular value relative to the largest, of the equilibrated matrix: below it, a warning.
+constexpr double kNearSingular = 1e-5;
+constexpr double kNegligible = 1e-9;  // share of a row in a combination: rounding
 constexpr double kNeighbourStep =
-    1e-2;  // step along R beside the pose's size: far enough to see a rank, near enough
+    1e-2;  // step along R relative to the pose's size: far enough to see a rank, near enough
            // for Newton to come back to the same branch
 
 std::string number_text(double value) {

@@ -21,13 +21,13 @@ using Eigen::VectorXd;
 
 // Of sizes in own units:
 constexpr double kEscape = 1e9;          // times the guess's size: nothing assembles out there
-constexpr double kStandstill = 1e-12;    // step beside q: the run has come to rest
-constexpr double kRestResidual = 1e-12;  // |Phi_i| beside its scale: rounding, for a run at rest
+constexpr double kStandstill = 1e-12;    // step relative to q: the run has come to rest
+constexpr double kRestResidual = 1e-12;  // |Phi_i| relative to its scale: rounding, at rest
 // Where rows are given up as dependent, they may be short links beside long ones: only rounding
 // itself is zero there.
 constexpr double kRestResidualOfLostRows = 64 * std::numeric_limits<double>::epsilon();
-constexpr double kReturn = 1e-9;  // distance beside q at which an earlier iterate has come back
-constexpr double kMoving = 1e-6;  // step beside q: a cycle's steps are larger than this
+constexpr double kReturn = 1e-9;  // distance relative to q at which an earlier iterate is back
+constexpr double kMoving = 1e-6;  // step relative to q: a cycle's steps are larger than this
 
 void validate(const Phi& phi, const VectorXd& guess, double t, const NewtonOptions& options) {
   std::string broken;

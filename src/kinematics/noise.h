@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which coordinates of a pose are rounding noise? Those that vanish beside the mechanism: its
+// Which coordinates of a pose are rounding noise? Those that vanish relative to the mechanism: its
 // lengths, or a radian.
 #pragma once
 

@@ -17,7 +17,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Beside |q|, which is 1 at least:
+// Relative to |q|, which is 1 at least:
 constexpr double kFarAway = 1e9;       // times the guess's
 constexpr double kNoStep = 1e-12;      // the run has come to rest
 constexpr double kAtRest = 1e-12;      // scaled residual, for a run at rest

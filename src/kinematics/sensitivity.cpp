@@ -19,9 +19,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// What least squares leave over, beside the right-hand side. A pose is known to about 1e-13, and so
-// is what its constraints span where they are well conditioned; a dimension that a spare constraint
-// holds leaves a share of order 1.
+// What least squares leave over, relative to the right-hand side. A pose is known to about 1e-13,
+// and so is what its constraints span where they are well conditioned; a dimension that a spare
+// constraint holds leaves a share of order 1.
 constexpr double kLeftOver = 1e-7;
 
 /// Lengths of the rows, so that a row that compares angles counts like one of lengths; no less than
@@ -34,7 +34,7 @@ VectorXd row_lengths(const MatrixXd& A) {
 }
 
 // A double root that is right to rounding is off by the root of that, and so is Phi_q at a dead
-// point, beside its largest pivot.
+// point, relative to its largest pivot.
 constexpr double kHalfTheDigits = 1e-6;
 
 Index rank_within(const MatrixXd& A, double tolerance) {

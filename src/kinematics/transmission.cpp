@@ -20,7 +20,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-// A displacement this small beside the largest is rounding: poses are known to about 1e-13.
+// A displacement this small relative to the largest is rounding: poses are known to about 1e-13.
 constexpr double kStandsStill = 1e-7;
 
 constexpr Index kCoordinates = 3;  // x, y, phi

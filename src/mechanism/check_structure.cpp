@@ -62,7 +62,7 @@ void check_welds(Faults& faults, const Mechanism& mechanism) {
   }
 }
 
-/// What is counted for zero, in rank and in what moves, is so beside lengths near 1.
+/// What is counted for zero, in rank and in what moves, is so relative to lengths near 1.
 void check_size(Faults& faults, const Mechanism& mechanism) {
   constexpr double kLongest = 1e9;
   double longest = 0;

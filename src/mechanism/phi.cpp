@@ -67,7 +67,7 @@ double largest_of(const std::vector<double>& lengths) {
   return lengths.empty() ? 1 : *std::max_element(lengths.begin(), lengths.end());
 }
 
-/// The geometric mean, without what is rounding beside the largest; 1 where there is none.
+/// The geometric mean, without what is rounding relative to the largest; 1 where there is none.
 double mean_of(const std::vector<double>& lengths) {
   constexpr double kRounding = 1e-15;
   const double least = kRounding * largest_of(lengths);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What does one rank know of the lists that it does with others? Its piece of each, and which
-// outcomes have been told.
+// outcomes have been exchanged.
 //
 // Stands between the threads that do jobs and the one that speaks with other ranks: those wait
 // here, that one looks in. Outcomes of a list that this rank has not come to yet are kept until it
@@ -19,7 +19,7 @@
 
 namespace moivre {
 
-/// Outcomes of one list that were told here and are to go to the others.
+/// Outcomes of one list that were found here and are to go to the others.
 struct OutgoingOutcomes {
   ListKey key;
   std::uint64_t jobs = 0;
@@ -53,7 +53,7 @@ class SharedLists {
   std::vector<PieceWanted> wanted();
   /// Those that have waited long enough, or that somebody waits for.
   std::vector<OutgoingOutcomes> outgoing(std::chrono::steady_clock::time_point now);
-  /// Until something is wanted or told urgently, at most so long.
+  /// Until something is wanted or sent urgently, at most so long.
   void sleep(std::chrono::microseconds most);
 
  private:

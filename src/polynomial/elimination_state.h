@@ -27,7 +27,7 @@ struct Occurrence {
 /// An unknown that a linear equation may be solved for.
 struct Divisor {
   std::uint32_t variable = 0;
-  double size_log2 = 0;  ///< beside the largest one of the equation
+  double size_log2 = 0;  ///< relative to the largest one of the equation
 };
 
 /// An equation, and what is asked of it again and again.

@@ -15,7 +15,7 @@
 namespace moivre {
 namespace {
 
-// Where a path begins, the terms that its binomials leave out are at most this beside them:
+// Where a path begins, the terms that its binomials leave out are at most this relative to them:
 // Newton's method begins there.
 constexpr double kLeastPart = 1e-4;
 // Of the lifting: ties are rare, slacks stay within 64 bits; random parts of up to four binary

@@ -72,7 +72,7 @@ XmlReading::XmlReading(const Source& source)
       document_.load_buffer_inplace(parsed_.data(), parsed_.size(),
                                     pugi::parse_default | pugi::parse_doctype, pugi::encoding_utf8);
   if (!parsed) {
-    // That nothing is there is told at the beginning.
+    // That nothing is there is reported at the beginning.
     const bool is_empty = parsed.status == pugi::status_no_document_element;
     const auto offset =
         is_empty ? 0 : static_cast<std::size_t>(std::max<std::ptrdiff_t>(parsed.offset, 0));

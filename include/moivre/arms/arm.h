@@ -53,7 +53,7 @@ struct Arm {
   std::vector<HeldJoint> held;
   double length = 1;  ///< of the arm stretched out; 1 where it has none
   /// By how much the tip may stand elsewhere since the file's numbers are rounded: radians, and
-  /// lengths beside the arm's.
+  /// lengths relative to the arm's.
   double rounding = 0;
 };
 

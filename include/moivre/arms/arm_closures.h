@@ -60,15 +60,15 @@ struct ArmClosure {
   /// joint keeps its value.
   Eigen::VectorXd in_limits;
   std::vector<std::size_t> beyond;  ///< joints outside their limits
-  double residual = 0;  ///< by how much it misses the pose: radians, and lengths beside the arm's
+  double residual = 0;  ///< its miss of the pose: radians, and lengths relative to the arm's
   int newton_iterations = 0;
-  double smallest_singular_value = 0;  ///< of the Jacobian, lengths beside the arm's
+  double smallest_singular_value = 0;  ///< of the Jacobian, lengths relative to the arm's
   WeakestMotion weakest;               ///< likewise
   std::uint64_t path = 0;
   std::uint64_t multiplicity = 1;
   bool singular = false;
   /// By how much the digits of the file's numbers may move a joint, to first order: radians, and
-  /// lengths beside the arm's.
+  /// lengths relative to the arm's.
   double moved_by_digits = 0;
   /// It misses the pose by more than this is accurate, but by no more than the digits of the file
   /// leave open.
@@ -122,7 +122,7 @@ struct PoseMisfit {
 
 struct NearestPosture {
   Eigen::VectorXd values;
-  double misfit = 0;  ///< the larger of both: radians, and lengths beside the arm's
+  double misfit = 0;  ///< the larger of both: radians, and lengths relative to the arm's
   PoseMisfit apart;
 };
 
@@ -131,7 +131,7 @@ struct ArmResult {
   std::string message = "find_arm_closures() was not run";
   std::uint64_t seed = 0;
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  double accuracy = kReach;  ///< of the pose: radians, and lengths beside the arm's
+  double accuracy = kReach;  ///< of the pose: radians, and lengths relative to the arm's
   StartFacts start;
   std::string tracker;
   OptionsInForce tracker_options;

@@ -4,7 +4,7 @@
 //
 // A controller's joints turn farther than once: of 2 pi more or less the tip knows nothing. Joint
 // values x (n), radians and metres.
-// Distance: the largest difference of two joint values, slides beside the arm's length.
+// Distance: the largest difference of two joint values, slides relative to the arm's length.
 // Edges: a joint without limits, and one that is beyond its limits whatever turns are added, keeps
 // its value in all_turns().
 #pragma once

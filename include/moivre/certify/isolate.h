@@ -41,8 +41,8 @@ struct IsolatedRoots {
   std::uint64_t other_simple = 0;  ///< roots of q_1 where its degree is too large
 };
 
-/// bits: so many of each root are told at least. nullopt: not supported, or the roots are not told
-/// apart in so many bits.
+/// bits: so many of each root are certain at least. nullopt: not supported, or the roots are not
+/// separated in so many bits.
 std::optional<IsolatedRoots> isolated_roots(const Polynomial& p, int bits);
 
 }  // namespace moivre

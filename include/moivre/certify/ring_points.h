@@ -44,7 +44,7 @@ struct RingPointsOptions {
   std::uint64_t most_terms = 0;  ///< of all primes together
   const std::atomic<bool>* stop = nullptr;
   std::uint64_t seed = 1;
-  int bits = 256;  ///< so many of each coordinate are told, relative to the largest one
+  int bits = 256;  ///< so many of each coordinate are certain, relative to the largest one
 };
 
 /// Whether each e_z is the root's multiplicity; dimension: of the ring.

@@ -69,8 +69,8 @@ struct EndParameters {
   /// Of a leading exponent, on a circle on which it is steady; the denominators are at most
   /// maximum_winding.
   double valuation_error = 0.03;
-  /// Singular values of a face's Jacobian below it, beside the largest, are the torus' that acts on
-  /// its roots.
+  /// Singular values of a face's Jacobian below it, relative to the largest, are the torus' that
+  /// acts on its roots.
   double face_threshold = 1e-6;
   /// Where a step on a face changes its value by less than this share `face_threshold` falls by it.
   double face_progress = 0.1;
@@ -89,7 +89,7 @@ struct EndgameOptions {
   /// So many within the creeping radius tell creeping from a step that chanced to end there.
   int creeping_steps = 3;
   bool may_wait = false;   ///< for other paths of its cycle, after each turn
-  bool goes_back = false;  ///< from an end that circles have told: PathEnd::sheet
+  bool goes_back = false;  ///< from an end that circles have given: PathEnd::sheet
   EndParameters ends;
 };
 

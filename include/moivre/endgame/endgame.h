@@ -17,7 +17,7 @@
 //      too wide, or more digits are needed.
 //   4. After several turns around a mean that is not clearly a singular root, a straight segment to
 //      t = 1 (the landing) tells whether simple roots close to each other were taken for one.
-//   5. From an end that circles have told, a path may go back outwards from where its last circle
+//   5. From an end that circles have given, a path may go back outwards from where its last circle
 //      began, to a radius that all paths have in common: two paths that stand at one point there
 //      are on one sheet, and one of them has jumped on its way in.
 //

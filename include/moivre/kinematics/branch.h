@@ -68,7 +68,7 @@ enum class BranchStatus {
 
 struct BranchOptions {
   double largest_turn_rad = 0.2;  ///< of the tangent in one step
-  double largest_miss = 0.05;     ///< of the prediction beside the step
+  double largest_miss = 0.05;     ///< of the prediction relative to the step
   double longest_step = 0.5;      ///< in y: a radian, or the mechanism's length, is 1
   double largest_approach = 0.5;  ///< share of the way to where branches seem to cross, in one step
   int maximum_steps = 20000;      ///< accepted and rejected

@@ -5,8 +5,8 @@
 //   f: R^n -> R^m, J = df/dq, m x n; without a J it is taken by central differences
 // Steps are solved as kinematics/linear.h chooses: LU where J is square and regular, least squares
 // where m > n, least |dq| where m < n.
-// A row's residual counts beside |J_i| |q|, the change of f_i by which rounding of q shows, |q|
-// being 1 at least.
+// A row's residual counts relative to |J_i| |q|, the change of f_i by which rounding of q shows,
+// |q| being 1 at least.
 // Statuses, iterations and ranks are those of newton() on Phi (kinematics/newton.h). What f or J
 // throws is thrown to the caller.
 // Not supported: damping, held coordinates, weights.

@@ -43,7 +43,7 @@ struct Partition {
   std::vector<Eigen::Index> dependent;
   std::vector<Eigen::Index> independent;
   double smallest_pivot =
-      0;                ///< of the equilibrated Phi_u, beside its largest: near 0 is a poor choice
+      0;  ///< of the equilibrated Phi_u, relative to its largest: a poor choice near 0
   std::string refusal;  ///< why this choice cannot be used at this pose; empty: it can
 
   bool is_usable() const { return refusal.empty(); }

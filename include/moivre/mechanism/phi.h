@@ -58,7 +58,8 @@ class Phi {
   Eigen::VectorXd own_row_units() const;
 
   Eigen::VectorXd value(const Eigen::VectorXd& q, double t) const;
-  /// Sum of the magnitudes of the terms of each row: |Phi_i| is small when it is small beside this.
+  /// Sum of the magnitudes of the terms of each row: |Phi_i| is small when it is small relative to
+  /// this.
   Eigen::VectorXd term_magnitudes(const Eigen::VectorXd& q, double t) const;
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& q, double t) const;
   /// [Phi_q Phi_t], m x (n + 1)

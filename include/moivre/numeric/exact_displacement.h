@@ -25,7 +25,7 @@ Integer common_denominator(const std::vector<DualQuaternion<Rational>>& all);
 ExactDisplacement whole(const DualQuaternion<Rational>& g, const Integer& common);
 /// The largest of the eight, as a modulus.
 Integer largest_part(const ExactDisplacement& g);
-/// Numbers as doubles, beside the largest; one is not 0.
+/// Numbers as doubles, relative to the largest; one is not 0.
 DualQuaternion<double> rounded(const ExactDisplacement& g);
 
 /// A basis of the forms that vanish on all `vectors`; 8 less their rank.

@@ -2,7 +2,7 @@
 // Which jobs of a list were done before, here or by other processes? Their outcomes are taken, and
 // only the others are done.
 //
-// What is known is told to other processes too, where there are any; what is done is kept, and told
+// What is known is sent to other processes too, where there are any; what is done is kept, and sent
 // to them. A set `stop` ends it at the next block.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is a polynomial worth at a point, and beside its terms?
+// What is a polynomial worth at a point, and relative to its terms?
 #pragma once
 
 #include <vector>

@@ -158,7 +158,8 @@ class FinePathSystem {
 
   /// A point that settled at t = 1 by at_end(): is its last correction what rounding makes of a
   /// condition that S can bear?
-  /// Beside |x|_inf: of a coordinate that is 0, rounding makes much more beside its own floor.
+  /// Relative to |x|_inf: of a coordinate that is 0, rounding makes much more relative to its own
+  /// floor.
   bool is_regular_end() {
     const double bearable = condition();
     return bearable <= kHopelessCondition && moved_ <= std::max(kKnown, kNoise * bearable);

@@ -9,10 +9,11 @@
 //   correct   Newton's method, a fresh J each time, until it corrects far less than at first
 //   step      h <- h min(tolerance / |dx_1|, Theta / (|dx_2| / |dx_1|))^{1 / order}: the first
 //             correction is the predictor's error;
-//             beside the next sheet's distance, about |dx_1|^2 / |dx_2|, it is how fast Newton's
-//             method contracts
+//             relative to the next sheet's distance, about |dx_1|^2 / |dx_2|, it is how fast
+//             Newton's method contracts
 //   land      to w = infinity, by the polynomial in s, as soon as a step of w is as long as what is
-//             left of s and the polynomial's last term is small beside the next sheet's distance
+//             left of s and the polynomial's last term is small relative to the next sheet's
+//             distance
 //
 // For the few paths that need it: in double-double a step takes some thirty times as long as in
 // double, in a hundred digits some thousand times. s and 1 - s are both stored, so that steps near
@@ -131,7 +132,7 @@ class FineSession : public TrackerSession {
   static constexpr double kLargestStep = 30;
   // A step is refused when its first correction is so many times the tolerance.
   static constexpr double kLargestOvershoot = 30;
-  // Theta, and how near an end has to be predicted beside the distance to the next sheet.
+  // Theta, and how near an end has to be predicted relative to the distance to the next sheet.
   static constexpr double kContraction = 0.01;
   static constexpr double kSureLanding = 0.1;
   // A point of the way is known when Newton's method, which is to contract quadratically, corrects
@@ -203,7 +204,7 @@ typename Scalar<S>::Real FineSession<S>::position(const Place& place, bool is_in
 }
 
 // trial <- the polynomial through the known points, at the position of `next`; the size of its last
-// term beside |x|.
+// term relative to |x|.
 template <class S>
 double FineSession<S>::predict(const Place& next, const Real& at) {
   const bool is_in_w = clock_.is_logarithmic && !next.is_end();

@@ -8,7 +8,7 @@
 //   next singular point
 //
 // Beside another sheet many digits are asked for: they take many steps at a low order and few at a
-// high one. A node more costs next to nothing beside an evaluation in S.
+// high one. A node more costs next to nothing compared with an evaluation in S.
 // Edges: one node gives the tangent; its error is not known. Allocates nothing but what S does.
 // Source: [StoerBulirsch02, section 2.1.5], divided differences of nodes that coincide.
 #pragma once
