@@ -23,7 +23,7 @@ std::uint16_t rounded_up(double x) {
 }  // namespace
 
 void BallSizes::assign(std::span<const double> radii, std::span<const double> errors) {
-  if (dimension() != radii.size()) kept_.resize(2 * radii.size());
+  if (dimension() != radii.size()) kept_ = std::valarray<std::uint16_t>(2 * radii.size());
   for (std::size_t j = 0; j < radii.size(); ++j) set(j, radii[j], errors[j]);
 }
 

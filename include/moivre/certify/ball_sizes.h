@@ -22,6 +22,15 @@ class BallSizes {
   BallSizes(std::span<const double> radii, std::span<const double> errors) {
     assign(radii, errors);
   }
+  BallSizes(const BallSizes&) = default;
+  BallSizes(BallSizes&&) noexcept = default;
+  ~BallSizes() = default;
+  // libstdc++'s valarray frees its memory twice where it is assigned to, or resized, and there is
+  // no memory: it takes the new size and gives the old memory back before it asks for any.
+  BallSizes& operator=(BallSizes other) noexcept {
+    kept_.swap(other.kept_);
+    return *this;
+  }
   /// Allocates nothing where it had as many before.
   void assign(std::span<const double> radii, std::span<const double> errors);
 
