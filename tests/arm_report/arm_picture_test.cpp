@@ -86,7 +86,8 @@ TEST(ArmPictureTest, NoTwoPosturesLookAlike) {
     const Skeleton skeleton = make_skeleton(arm);
     for (std::uint64_t pose = 1; pose < 6; ++pose) {
       std::vector<Eigen::VectorXd> poses;
-      for (const ArmClosure& closure : report_of(arm, pose).results.front().closures) {
+      const auto report = report_of(arm, pose);
+      for (const ArmClosure& closure : report.results.front().closures) {
         poses.push_back(skeleton_pose(skeleton, arm, closure.values));
       }
       const Eye eye = best_eye(skeleton, poses);

@@ -20,7 +20,7 @@ std::string written(const std::function<void(JsonWriter&)>& write) {
 
 const std::vector<int> kNumbers{1, 2, 3};
 
-Json square(int n) { return {{"n", n}, {"square", n * n}}; }
+Json square(int n) { return {{"n", n}, {"square", std::int64_t{n} * n}}; }
 
 TEST(JsonWriter, ListsStandAsTheyDoInATree) {
   const Json tree = {{"title", "a \"b\""},
