@@ -121,6 +121,7 @@ class GivenStartSource : public BlockSource {
   GivenStartSource(const BlockTask& task, BlockSourceKind kind) : task_(task), kind_(kind) {}
 
   bool answer(const PartialRoot& root, BlockRoots& roots) override {
+    if (!may_know_a_start()) return false;
     const System f = task_.system_above(root);
     auto start = start_of(f, root);
     if (!start) return false;
@@ -140,6 +141,8 @@ class GivenStartSource : public BlockSource {
   const BlockTask& task() const { return task_; }
 
  private:
+  /// Above any root.
+  virtual bool may_know_a_start() const = 0;
   virtual std::optional<GivenStart> start_of(const System& f, const PartialRoot& root) const = 0;
 
   BlockTask task_;
@@ -151,9 +154,10 @@ class FamilySource : public GivenStartSource {
   explicit FamilySource(const BlockTask& task) : GivenStartSource(task, BlockSourceKind::family) {}
 
  private:
+  bool may_know_a_start() const override { return task().solving.starts != nullptr; }
   std::optional<GivenStart> start_of(const System& f, const PartialRoot&) const override {
     const BlockSolving& solving = task().solving;
-    if (solving.starts == nullptr || !is_square(f)) return std::nullopt;
+    if (!is_square(f)) return std::nullopt;
     return solving.starts->start_of(f, solving.tracker, solving.options, solving.stop);
   }
 };
@@ -166,9 +170,10 @@ class TheoremSource : public GivenStartSource {
       : GivenStartSource(task, BlockSourceKind::theorem) {}
 
  private:
+  bool may_know_a_start() const override {
+    return task().is_start_free() && is_of_theorem(task().formulation, task().block);
+  }
   std::optional<GivenStart> start_of(const System& f, const PartialRoot& root) const override {
-    if (!task().is_start_free() || !is_of_theorem(task().formulation, task().block))
-      return std::nullopt;
     if (eliminate(f).verdict != Reduction::Verdict::square) return std::nullopt;
     const auto& theorem = task().formulation.theorem;
     const Formulation::GeneralMember member = theorem->general();
