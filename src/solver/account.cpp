@@ -42,16 +42,16 @@ constexpr std::uint64_t PathCounts::*kCounts[]{&PathCounts::tracked,
                                                &PathCounts::multiprecision};
 
 /// Of the cycles of a group; none where its multiplicity was counted, not seen.
-std::vector<int> windings(const Run& run, PathGroups::Group group) {
-  const Root& first = run.table.roots().at(group.front());
-  if (first.is_exact && !first.winding) return {};
+std::vector<int> windings(const Run& run, const JudgedRoot& root) {
+  const auto& [group, ground] = root;
+  if (ground == Ground::exact && !run.table.roots().at(group.front()).winding) return {};
   return cycles(run.table, group).value_or(std::vector<int>(group.size(), 1));
 }
 
 /// Which solution each path of the table leads to; solutions are in the order of their paths.
-void enter_places(const PathGroups& groups, SolveResult& result) {
+void enter_places(const JudgedRoots& roots, SolveResult& result) {
   const auto begin = result.solutions.begin();
-  for (const PathGroups::Group group : groups) {
+  for (const auto& [group, ground] : roots) {
     const auto root =
         std::lower_bound(begin, result.solutions.end(), group.front(),
                          [](const Solution& a, std::uint64_t path) { return a.path < path; });
@@ -65,7 +65,7 @@ void enter_places(const PathGroups& groups, SolveResult& result) {
 /// What a run comes to in the end: the roots, what has failed, and the paths of which it was not
 /// found out what they end at.
 struct Outcome {
-  PathGroups groups;
+  JudgedRoots roots;
   std::vector<FailedPath> failures;
   std::vector<std::uint64_t> open;
 };
@@ -90,20 +90,11 @@ void enter_simple_ones(const Run& run, PathGroups::Group group, Outcome& outcome
                         });
     if (is_new) {
       taken.push_back(proof);
-      outcome.groups.add(path);
+      outcome.roots.add(path, Ground::proved);
     } else {
       outcome.open.push_back(path);
     }
   }
-}
-
-/// Singular ends: whole cycles at a root that is known to be isolated, or ends on a set that is
-/// known.
-bool is_known_to_stand(const Run& run, PathGroups::Group group) {
-  const Root& first = run.table.roots().at(group.front());
-  if (first.is_exact) return true;
-  if (!first.on_set) return false;
-  return *first.on_set != SetHere::none || (group.size() > 1 && cycles(run.table, group));
 }
 
 /// What an interrupted run has found out without looking further.
@@ -112,13 +103,8 @@ Outcome outcome_so_far(const Run& run) {
   for (const auto& [path, failure] : run.table.failures()) outcome.failures.push_back(failure);
   for (const std::uint64_t path : run.table.refuted()) outcome.open.push_back(path);
   for (const PathGroups::Group group : run.table.groups()) {
-    const Root& first = run.table.roots().at(group.front());
-    const bool is_one_simple = group.size() == 1 && first.point.simple;
-    const bool are_singular = std::none_of(group.begin(), group.end(), [&](std::uint64_t path) {
-      return run.table.roots().at(path).point.simple;
-    });
-    if (is_one_simple || (are_singular && is_known_to_stand(run, group))) {
-      outcome.groups.add(group);
+    if (const auto ground = known_ground(run, group)) {
+      outcome.roots.add(group, *ground);
     } else {
       enter_simple_ones(run, group, outcome);
     }
@@ -140,17 +126,6 @@ Solution point_of_set(const Run& run, PathGroups::Group group) {
   point.cluster = false;
   point.radius = 0;
   return point;
-}
-
-/// The ends that lie on a set of positive dimension, group by group. Throws Interrupted.
-std::vector<bool> are_on_sets(const Run& run, const PathGroups& groups) {
-  std::vector<bool> result;
-  result.reserve(groups.size());
-  for (const PathGroups::Group group : groups) {
-    const Root& first = run.table.roots().at(group.front());
-    result.push_back(!first.point.simple && is_on_set(run, first));
-  }
-  return result;
 }
 
 /// Pages that hold nothing any more are given back to the system: what is freed between other
@@ -200,26 +175,27 @@ class OffTheHeap {
 
 /// What is told of a root is no longer kept in the table: both at once would take twice the
 /// memory.
-void enter_solutions(Run& run, const PathGroups& groups, const std::vector<bool>& on_sets,
-                     SolveResult& result) {
-  const auto sets = std::count(on_sets.begin(), on_sets.end(), true);
-  result.solutions.reserve(groups.size() - static_cast<std::size_t>(sets));
+void enter_solutions(Run& run, const JudgedRoots& roots, SolveResult& result) {
+  const auto sets = std::count_if(roots.begin(), roots.end(), [](const JudgedRoot& root) {
+    return root.ground == Ground::on_set;
+  });
+  result.solutions.reserve(roots.size() - static_cast<std::size_t>(sets));
   OffTheHeap told;
   // What comparing them took.
-  if (groups.size() > kRootsBetweenPages) give_back_pages();
-  for (std::size_t k = 0; k < groups.size(); ++k) {
-    const PathGroups::Group group = groups[k];
+  if (roots.size() > kRootsBetweenPages) give_back_pages();
+  for (std::size_t k = 0; k < roots.size(); ++k) {
+    const auto& [group, ground] = roots[k];
     result.paths.finite += group.size();
-    if (on_sets[k]) {
+    if (ground == Ground::on_set) {
       result.paths.on_positive_dimensional += group.size();
       result.on_sets.push_back(point_of_set(run, group));
     } else {
-      told.take(solution_of(run, group, windings(run, group)));
+      told.take(solution_of(run, group, windings(run, roots[k])));
     }
     for (const std::uint64_t path : group) run.table.release(path);
     const bool is_many = k % kRootsBetweenPages == kRootsBetweenPages - 1;
     if (is_many) give_back_pages();
-    if (is_many || k + 1 == groups.size()) told.give(result.solutions);
+    if (is_many || k + 1 == roots.size()) told.give(result.solutions);
   }
   const auto by_path = [](const auto& a, const auto& b) { return a.path < b.path; };
   std::sort(result.solutions.begin(), result.solutions.end(), by_path);
@@ -365,13 +341,12 @@ void put_in_doubt(SolveResult& result, std::string why) {
 void close_account(Run& run, SolveResult& result) {
   require_all_entries(run);
   Outcome outcome = run.interrupted ? outcome_so_far(run) : outcome_of(run);
-  const std::vector<bool> on_sets = are_on_sets(run, outcome.groups);
   const bool lacks_image =
       !run.bounds.met && is_real(run.setting.f) && !missing_conjugates(run.table).empty();
   const auto proved = run.interrupted ? std::nullopt : roots_to_compare(run);
-  enter_solutions(run, outcome.groups, on_sets, result);
+  enter_solutions(run, outcome.roots, result);
   result.ledger = run.table.take_records();
-  enter_places(outcome.groups, result);
+  enter_places(outcome.roots, result);
   enter_verdicts(outcome, result);
   count_paths(result.ledger, result.paths);
   result.failures = std::move(outcome.failures);

@@ -22,11 +22,10 @@ constexpr std::size_t kMostOfOneEnd = 4;
 /// The paths to ends on sets of this kind.
 PathSet paths_to_sets(const Run& run, SetHere kind) {
   PathSet paths;
-  for (const PathGroups::Group group : judge(run).roots) {
-    const EndsOfGroup ends = ends_of(run, group);
-    if (ends.singular.empty()) continue;
-    if (set_of(run, run.table.roots().at(ends.singular.front())) != kind) continue;
-    paths.insert(ends.singular.begin(), ends.singular.end());
+  for (const auto& [group, ground] : judge(run).roots) {
+    if (ground != Ground::on_set) continue;
+    if (set_of(run, run.table.roots().at(group.front())) != kind) continue;
+    paths.insert(group.begin(), group.end());
   }
   return paths;
 }
@@ -72,12 +71,11 @@ class MeetingSheets {
     for (const std::uint64_t path : left) {
       if (misses_a_root(path)) run_.table.refute(path);
     }
-    for (const PathGroups::Group group : judge(run_).roots) {
+    for (const auto& [group, ground] : judge(run_).roots) {
       // Paths to a set end at different points of it: two at one may be at a multiple root.
-      const Root& end = root(group.front());
-      const bool is_crowded = group.size() > 1 && !end.point.simple && is_on_set(run_, end);
+      const bool is_crowded = group.size() > 1 && ground == Ground::on_set;
       if (!is_crowded && !left.contains(group.front())) continue;
-      if (!is_exactly_isolated(run_.setting.f, end)) continue;
+      if (!is_exactly_isolated(run_.setting.f, root(group.front()))) continue;
       for (const std::uint64_t path : group) run_.table.refute(path);
     }
   }
@@ -102,8 +100,8 @@ class MeetingSheets {
   PathSet first_of_one_end() const {
     const PathSet all = paths();
     PathSet first;
-    for (const PathGroups::Group group : judge(run_).roots) {
-      for (const std::uint64_t path : group) {
+    for (const JudgedRoot& judged : judge(run_).roots) {
+      for (const std::uint64_t path : judged.paths) {
         if (all.contains(path) && first.size() < kMostOfOneEnd) first.insert(path);
       }
       if (!first.empty()) break;

@@ -120,13 +120,8 @@ Finding look_into(const Run& run, const Root& end, std::size_t paths) {
 /// not counted.
 PathGroups clusters_of(const Run& run) {
   PathGroups clusters;
-  for (const PathGroups::Group group : judge(run).roots) {
-    const bool is_cluster = std::none_of(group.begin(), group.end(), [&](std::uint64_t path) {
-      const Root& root = run.table.roots().at(path);
-      return root.point.simple || root.is_exact;
-    });
-    if (!is_cluster || is_on_set(run, run.table.roots().at(group.front()))) continue;
-    clusters.add(group);
+  for (const auto& [group, ground] : judge(run).roots) {
+    if (ground == Ground::whole_cycles) clusters.add(group);
   }
   return clusters;
 }

@@ -297,7 +297,7 @@ bool lacks_ends(const Run& run) {
   const QuotientRing& ring = run.bounds.ring;
   if (ring.verdict != QuotientRing::Verdict::finite) return false;
   std::uint64_t ends = run.table.count(PathVerdict::as_rounded);
-  for (const PathGroups::Group group : judge(run).roots) ends += group.size();
+  for (const JudgedRoot& judged : judge(run).roots) ends += judged.paths.size();
   return ends < ring.dimension;
 }
 
@@ -313,11 +313,10 @@ void look_for_ring(Run& run) {
 bool are_as_counted(Run& run) {
   const QuotientRing& ring = run.bounds.ring;
   if (ring.verdict != QuotientRing::Verdict::finite || run.setting.stop) return false;
-  const PathGroups groups = judge_ends_alone(run).roots;
+  const JudgedRoots judged = judge_ends_alone(run).roots;
   std::uint64_t roots = 0;
-  for (const PathGroups::Group group : groups) {
-    const Root& end = run.table.roots().at(group.front());
-    if (!end.point.simple && is_on_set(run, end)) return false;
+  for (const auto& [group, ground] : judged) {
+    if (ground == Ground::on_set) return false;
     roots += group.size();
   }
   if (roots != ring.dimension) return false;
@@ -331,7 +330,7 @@ bool are_as_counted(Run& run) {
                                                               .seed = run.setting.options.seed})
             .points;
   }
-  return groups.size() == run.bounds.points;
+  return judged.size() == run.bounds.points;
 }
 
 std::optional<std::uint64_t> roots_to_compare(const Run& run) {

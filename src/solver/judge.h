@@ -2,8 +2,8 @@
 // Which ends stand, and what is open? Derived from what was seen of the paths and what is proved of
 // their ends; nothing is written down.
 //
-//   a root stands     where one path ends at a simple root, whole cycles end at a singular one, or
-//                     paths end on a set
+//   a root stands     on one ground (judged_roots.h): one path ends at a simple root, whole cycles
+//                     end at a singular one, or paths end on a set
 //   no end            the path was followed to none
 //   no root           what was seen of its end is none: it was refuted, or it lies beside a simple
 //                     root, or a path is missing or one too many for whole cycles
@@ -14,8 +14,10 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
+#include "judged_roots.h"
 #include "run.h"
 
 namespace moivre {
@@ -23,8 +25,8 @@ namespace moivre {
 enum class Question { no_end, no_root, jumped };
 
 struct JudgedEnds {
-  /// Paths that end at one point, each group ascending.
-  PathGroups roots;
+  /// Paths that end at one point, each group ascending, and its ground.
+  JudgedRoots roots;
   /// By path; these end at none of the roots as far as is known.
   std::map<std::uint64_t, Question> open;
   /// Paths that may answer a question where they are followed again: those that are open and those
@@ -37,6 +39,10 @@ JudgedEnds judge_ends_alone(const Run& run);
 
 /// From the ends and the sheets to which paths have come back from them. Throws Interrupted.
 JudgedEnds judge(const Run& run);
+
+/// On what a group of paths that end at one point rests as far as is known, without looking
+/// further; nothing where it may not stand.
+std::optional<Ground> known_ground(const Run& run, PathGroups::Group group);
 
 /// The paths of a group whose ends are simple roots, and those whose ends are not. Where there are
 /// both, several roots lie nearer to each other than the latter are known: no path but one ends at

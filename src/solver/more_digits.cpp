@@ -82,9 +82,8 @@ PathSet unproved_ends_alone(Run& run) {
   PathSet ends;
   if (run.bounds.ring.verdict != QuotientRing::Verdict::finite || !is_root_missing(run))
     return ends;
-  for (const PathGroups::Group group : judge(run).roots) {
-    const Root& root = run.table.roots().at(group.front());
-    if (group.size() == 1 && !root.point.simple && !root.is_exact) ends.insert(group.front());
+  for (const auto& [group, ground] : judge(run).roots) {
+    if (group.size() == 1 && ground != Ground::proved) ends.insert(group.front());
   }
   return ends;
 }

@@ -9,11 +9,8 @@
 namespace moivre {
 void count_ends(Run& run) {
   PathGroups multiple;
-  for (const PathGroups::Group group : judge(run).roots) {
-    const Root& end = run.table.roots().at(group.front());
-    if (group.size() > 1 && (end.point.simple || !is_on_set(run, end))) {
-      multiple.add(group);
-    }
+  for (const auto& [group, ground] : judge(run).roots) {
+    if (ground == Ground::exact || ground == Ground::whole_cycles) multiple.add(group);
   }
   if (multiple.empty()) return;
   const std::vector<ExactRoot> exact = exact_roots(run);

@@ -13,31 +13,34 @@
 
 namespace moivre {
 
+/// Over what a container gives by number.
+template <class Container, class Value>
+class ByNumber {
+ public:
+  using iterator_category = std::input_iterator_tag;
+  using value_type = Value;
+  using difference_type = std::ptrdiff_t;
+  using pointer = void;
+  using reference = Value;
+
+  ByNumber(const Container& container, std::size_t at) : container_(&container), at_(at) {}
+  Value operator*() const { return (*container_)[at_]; }
+  ByNumber& operator++() {
+    ++at_;
+    return *this;
+  }
+  friend bool operator==(const ByNumber&, const ByNumber&) = default;
+
+ private:
+  const Container* container_;
+  std::size_t at_;
+};
+
 /// Paths, each group as the one who made it has ordered it; groups in the order they were added.
 class PathGroups {
  public:
   using Group = std::span<const std::uint64_t>;
-
-  class Iterator {
-   public:
-    using iterator_category = std::input_iterator_tag;
-    using value_type = Group;
-    using difference_type = std::ptrdiff_t;
-    using pointer = void;
-    using reference = Group;
-
-    Iterator(const PathGroups& groups, std::size_t at) : groups_(&groups), at_(at) {}
-    Group operator*() const { return (*groups_)[at_]; }
-    Iterator& operator++() {
-      ++at_;
-      return *this;
-    }
-    friend bool operator==(const Iterator&, const Iterator&) = default;
-
-   private:
-    const PathGroups* groups_;
-    std::size_t at_;
-  };
+  using Iterator = ByNumber<PathGroups, Group>;
 
   std::size_t size() const { return ends_.size(); }
   bool empty() const { return ends_.empty(); }

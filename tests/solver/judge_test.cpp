@@ -52,6 +52,14 @@ class JudgedPaths : public testing::Test {
     run.table.tell_curve(path);
   }
   void lost(std::uint64_t path) { run.table.enter_failure({path, Failure::step_limit, 0.5}); }
+  /// By the first path of each root.
+  std::map<std::uint64_t, Ground> grounds() {
+    std::map<std::uint64_t, Ground> grounds;
+    for (const JudgedRoot& root : judge(run).roots) {
+      grounds.emplace(root.paths.front(), root.ground);
+    }
+    return grounds;
+  }
   Groups roots() {
     Groups groups = test::lists_of(judge(run).roots);
     std::sort(groups.begin(), groups.end());
@@ -75,6 +83,50 @@ TEST_F(JudgedPaths, StandAtASimpleRootAloneAndAtASingularOneInWholeCycles) {
   EXPECT_EQ(roots(), (Groups{{0}, {1}, {2, 3}}));
   EXPECT_TRUE(judged.open.empty());
   EXPECT_TRUE(judged.in_doubt.empty());
+}
+
+TEST_F(JudgedPaths, HaveOneGroundEach) {
+  using enum Ground;
+  simple(0, 2);
+  cycle(1, 1, 2);
+  cycle(2, 1, 2);
+  on_curve(3, 5);
+  for (const std::uint64_t path : {4U, 5U}) {
+    cycle(path, 3, 2);
+    Root exact = run.table.roots().at(path);
+    exact.is_exact = true;
+    run.table.enter_root(path, std::move(exact));
+  }
+  EXPECT_EQ(grounds(), (std::map<std::uint64_t, Ground>{
+                           {0, proved}, {1, whole_cycles}, {3, on_set}, {4, exact}}));
+  for (const PathGroups::Group group : groups_of(run)) {
+    EXPECT_EQ(known_ground(run, group), grounds().at(group.front()));
+  }
+}
+
+TEST_F(JudgedPaths, HaveNoGroundThatWasNotAskedFor) {
+  cycle(0, 1, 2);
+  cycle(1, 1, 2);
+  for (const std::uint64_t path : {0U, 1U}) {
+    Root unasked = run.table.roots().at(path);
+    unasked.on_set.reset();
+    run.table.enter_root(path, std::move(unasked));
+  }
+  const std::uint64_t both[]{0, 1};
+  EXPECT_EQ(known_ground(run, both), std::nullopt);
+  EXPECT_EQ(grounds().at(0), Ground::whole_cycles);  // judging asks
+  EXPECT_EQ(known_ground(run, both), Ground::whole_cycles);
+}
+
+// A root of multiplicity two that is known exactly, to which only one path leads.
+TEST_F(JudgedPaths, HaveNoGroundAtAnExactRootThatLacksPaths) {
+  cycle(0, 1, 1);
+  Root exact = run.table.roots().at(0);
+  exact.is_exact = true;
+  run.table.enter_root(0, std::move(exact));
+  const std::uint64_t path[]{0};
+  EXPECT_EQ(known_ground(run, path), std::nullopt);
+  EXPECT_EQ(judge(run).open.at(0), Question::no_root);
 }
 
 TEST_F(JudgedPaths, StandOnASetOneByOne) {
@@ -225,8 +277,8 @@ TEST_F(JudgedPaths, AreJudgedTheSameFromWhatIsToldOfThem) {
   lost(5);
   const JudgedEnds once = judge(run);
   moivre::Run told(setting);
-  for (const PathGroups::Group group : once.roots) {
-    for (const std::uint64_t path : group) {
+  for (const JudgedRoot& root : once.roots) {
+    for (const std::uint64_t path : root.paths) {
       told.table.enter_root(path, Root(run.table.roots().at(path)));
     }
   }
