@@ -27,14 +27,15 @@ inline constexpr double kUnderflow = 0x1p-1060;
 inline double raised(double x) { return x * kRaise + kUnderflow; }
 
 /// |a| <= larger part + (sqrt(2) - 1) smaller part, at most 8 per cent too large; no square that
-/// could underflow.
+/// could underflow. Of zero it is zero: numbers below the smallest normal one make every product
+/// with them slow, and matrices are full of zeros.
 inline double size_bound(double re, double im) {
   constexpr double kChord = 0.4142135623730951;  // sqrt(2) - 1, rounded up
   const double x = std::abs(re);
   const double y = std::abs(im);
   const double sum = x + y;  // NaN where one of them is
   const double larger = std::max(x, y);
-  return raised(larger + kChord * (sum - larger));
+  return sum == 0 ? 0 : raised(larger + kChord * (sum - larger));
 }
 inline double size_bound(const Complex& a) { return size_bound(a.real(), a.imag()); }
 

@@ -170,9 +170,9 @@ Content KeptRun::kept(const std::string& slot, const Content& content) {
 }
 
 int KeptRun::deliver(const std::vector<Form>& forms, bool quiet, const Content& text,
-                     const std::string& unfinished, int exit_code) {
+                     const std::string& unfinished, int exit_code, int threads) {
   if (!ledger_) {
-    moivre::deliver(forms, quiet, text, unfinished);
+    moivre::deliver(forms, quiet, text, unfinished, threads);
     return exit_code;
   }
   ledger_->close_observations();

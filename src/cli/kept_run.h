@@ -59,10 +59,10 @@ class KeptRun {
   /// A result that is written elsewhere, in its place among the outputs, for deliver() to keep.
   void keep_beside(std::size_t place, std::string text);
 
-  /// deliver(), and keeps all of it where the run has come to its end. Returns the exit code, which
-  /// tells of a ledger that could not be written too.
+  /// deliver(), and keeps all of it where the run has come to its end; then on one thread. Returns
+  /// the exit code, which tells of a ledger that could not be written too.
   int deliver(const std::vector<Form>& forms, bool quiet, const Content& text,
-              const std::string& unfinished, int exit_code);
+              const std::string& unfinished, int exit_code, int threads = 1);
   int deliver(const std::vector<Form>& forms, bool quiet, const std::function<std::string()>& text,
               const std::string& unfinished, int exit_code);
 

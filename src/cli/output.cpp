@@ -9,15 +9,19 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <future>
 #include <new>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <thread>
 #include <utility>
 
 #include "interruption.h"
@@ -89,9 +93,11 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
-/// A name of this process's own in the folder of `path`.
+/// A name in the folder of `path` that no other draft has, of this process or another one.
 std::string name_beside(const std::string& path) {
-  return folder_of(path) + "/.moivre-" + std::to_string(::getpid());
+  static std::atomic<int> drafts{0};
+  return folder_of(path) + "/.moivre-" + std::to_string(::getpid()) + "-" +
+         std::to_string(++drafts);
 }
 
 /// Without a name, so that nothing stays behind where the process is killed; -1 where the file
@@ -234,6 +240,41 @@ void require_room_for(const std::string& path) {
   if (!draft.file().is_open()) refuse_path(path);
 }
 
+/// Why it was not written; empty where it was.
+std::string failure_of(const std::function<void()>& write) {
+  try {
+    write();
+  } catch (const std::invalid_argument& failure) {
+    return failure.what();
+  } catch (const std::bad_alloc&) {
+    return "there was not enough memory to write a result";
+  }
+  return "";
+}
+
+std::string both_failures(const std::string& failures, const std::string& failure) {
+  if (failures.empty() || failure.empty()) return failures + failure;
+  return failures + "\nmoivre: " + failure;
+}
+
+/// In the order of the writes, which are begun in that order.
+std::string failures_of(const std::vector<std::function<void()>>& writes, int threads) {
+  std::vector<std::string> failures(writes.size());
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    for (std::size_t k = next++; k < writes.size(); k = next++) failures[k] = failure_of(writes[k]);
+  };
+  const std::size_t wanted =
+      threads == 0 ? std::thread::hardware_concurrency() : static_cast<std::size_t>(threads);
+  std::vector<std::future<void>> others;
+  for (std::size_t k = 1; k < std::min(wanted, writes.size()); ++k) {
+    others.push_back(std::async(std::launch::async, work));
+  }
+  work();
+  for (std::future<void>& other : others) other.get();
+  return std::accumulate(failures.begin(), failures.end(), std::string(), both_failures);
+}
+
 }  // namespace
 
 Output::Output(const std::string& path) : path_(path) {
@@ -276,33 +317,29 @@ void deliver(const std::vector<Form>& forms, bool quiet, const std::function<std
 }
 
 void deliver(const std::vector<Form>& forms, bool quiet, const Content& text,
-             const std::string& unfinished) {
+             const std::string& unfinished, int threads) {
   if (!process_role().tells) return;
   const Writing writing;
-  std::string failures;
-  const auto note = [&failures](const std::string& why) {
-    failures += (failures.empty() ? "" : "\nmoivre: ") + why;
-  };
-  const auto tried = [&note](const std::function<void()>& write) {
-    try {
-      write();
-    } catch (const std::invalid_argument& failure) {
-      note(failure.what());
-    } catch (const std::bad_alloc&) {
-      note("there was not enough memory to write a result");
-    }
-  };
+  std::vector<std::function<void()>> writes;
   const Form* to_stdout = nullptr;
   for (const Form& form : forms) {
     if (form.output->is_stdout()) to_stdout = &form;
     if (!form.output->is_wanted() || form.output->is_stdout()) continue;
-    tried([&form] { form.output->write(form.content); });
+    writes.emplace_back([&form] { form.output->write(form.content); });
   }
+  const auto write_text = [&text] { text(write_to_stdout); };
+  const bool is_told = to_stdout == nullptr && !quiet;
   if (to_stdout != nullptr) {
-    tried([to_stdout] { to_stdout->output->write(to_stdout->content); });
-    if (!quiet && !unfinished.empty()) std::fprintf(stderr, "moivre: %s\n", unfinished.c_str());
-  } else if (!quiet || !failures.empty()) {
-    tried([&text] { text(write_to_stdout); });
+    writes.emplace_back([to_stdout] { to_stdout->output->write(to_stdout->content); });
+  } else if (is_told) {
+    writes.emplace_back(write_text);
+  }
+  std::string failures = failures_of(writes, threads);
+  if (to_stdout != nullptr && !quiet && !unfinished.empty()) {
+    std::fprintf(stderr, "moivre: %s\n", unfinished.c_str());
+  }
+  if (to_stdout == nullptr && !is_told && !failures.empty()) {
+    failures = both_failures(failures, failure_of(write_text));
   }
   if (!failures.empty()) throw std::invalid_argument(failures);
 }

@@ -5,9 +5,9 @@
 // Nothing is touched before write(). A regular file is then written beside its place and moved
 // there when it is whole and on the disk, so that an old file stays until then and no half of a new
 // one is ever seen. Until then it has no name (O_TMPFILE), so that a killed run leaves nothing; on
-// file systems without such files its name is .moivre-<process>. Where it cannot be moved there (a
-// link's other name, a folder that cannot be written) it is written in place, when its room is
-// reserved. "-" is stdout.
+// file systems without such files its name is .moivre-<process>-<number>. Where it cannot be moved
+// there (a link's other name, a folder that cannot be written) it is written in place, when its
+// room is reserved. "-" is stdout.
 // A process that only works (process_role.h) writes nothing.
 #pragma once
 
@@ -66,9 +66,10 @@ struct Form {
 /// Writes every wanted form, files first, stdout last; then `text`, for people, to stdout, unless
 /// it is `quiet` or stdout is taken. Where a file cannot be written all the others are, `text` is
 /// printed in any case, and std::invalid_argument is thrown at the end. `unfinished`, a sentence or
-/// empty, goes to stderr where no text tells it.
+/// empty, goes to stderr where no text tells it. On so many threads at once, 0: as many as the
+/// machine has; contents must then not know of each other.
 void deliver(const std::vector<Form>& forms, bool quiet, const Content& text,
-             const std::string& unfinished = "");
+             const std::string& unfinished = "", int threads = 1);
 void deliver(const std::vector<Form>& forms, bool quiet, const std::function<std::string()>& text,
              const std::string& unfinished = "");
 

@@ -25,6 +25,9 @@
 namespace moivre {
 namespace {
 
+// Their texts take longer than it takes to begin a thread.
+constexpr std::size_t kManyRoots = 1000;
+
 struct SolveCommand {
   std::string file;
   StartChoice start;
@@ -161,7 +164,8 @@ int run(const SolveCommand& command) {
         write_solve_text(sink, result, command.file,
                          command.all ? ListedRoots::all : ListedRoots::real);
       },
-      result.complete ? "" : result.message, result.complete ? kDecided : kUndecided);
+      result.complete ? "" : result.message, result.complete ? kDecided : kUndecided,
+      result.solutions.size() < kManyRoots ? 1 : command.threads);
 }
 
 }  // namespace

@@ -118,7 +118,11 @@ TEST(Upward, SizesAreBoundsAndTight) {
       EXPECT_LE(bound, 1.09 * std::hypot(z.real(), z.imag()) + 0x1p-1050);
     }
   }
+  EXPECT_EQ(size_bound(0, 0), 0);
+  EXPECT_EQ(size_bound(-0.0, 0), 0);
+  EXPECT_GE(size_bound(0x1p-1074, 0x1p-1074), 0x1p-1073);
   EXPECT_TRUE(std::isnan(size_bound(NAN, 1)));
+  EXPECT_TRUE(std::isnan(size_bound(NAN, 0)));
   EXPECT_TRUE(std::isnan(size_bound(1, NAN)));
 }
 

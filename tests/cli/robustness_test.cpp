@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -53,6 +54,51 @@ TEST(Robustness, TellsTheRootsWhereTheFileCannotBeWritten) {
   const std::string table = scene.read("roots.csv");
   EXPECT_EQ(table.substr(0, table.find('\n')),
             "path,real,singular,multiplicity,residual,accuracy,condition,x.re,x.im,y.re,y.im");
+}
+
+/// 1024 roots.
+std::string ten_squares() {
+  std::string text = "10\n";
+  for (int k = 0; k < 10; ++k) text += " x" + std::to_string(k) + "^2 - 1;\n";
+  return text;
+}
+
+TEST(Robustness, TextsOfManyRootsAreTheSameWhereTheyAreWrittenAtOnce) {
+  Scene scene;
+  scene.write("f.phc", ten_squares());
+  const auto written = [&](const std::string& threads) {
+    const Outcome outcome =
+        scene.run({"solve", "f.phc", "--tracker", "lanes", "--threads", threads, "--json", "r.json",
+                   "--csv", "r.csv", "--paths", "paths.csv", "--phc", "r.phc"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(has_line(outcome.out, "1024 isolated roots: 1024 real, 0 not real"));
+    Json json = Json::parse(scene.read("r.json"));
+    json.erase("time_s");
+    return std::vector{json.dump(), scene.read("r.csv"), scene.read("paths.csv"),
+                       scene.read("r.phc")};
+  };
+  const std::vector<std::string> alone = written("1");
+  EXPECT_EQ(written("2"), alone);
+  EXPECT_EQ(written("8"), alone);
+  EXPECT_FALSE(contains(scene.listing(), ".moivre-")) << scene.listing();
+}
+
+TEST(Robustness, OfManyTextsThatAreWrittenAtOnceOneThatFailsLosesNoOther) {
+  Scene scene;
+  scene.write("f.phc", ten_squares());
+  const FileLimit limit(300'000);  // the CSV has fewer bytes, the others more
+  const Outcome outcome =
+      scene.run({"solve", "f.phc", "--tracker", "lanes", "--threads", "3", "--quiet", "--json",
+                 "r.json", "--csv", "r.csv", "--phc", "r.phc"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.err,
+            "moivre: cannot write r.json: File too large\n"
+            "moivre: cannot write r.phc: File too large\n");
+  EXPECT_TRUE(has_line(outcome.out, "1024 isolated roots: 1024 real, 0 not real"));
+  const std::string table = scene.read("r.csv");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1025);
+  EXPECT_FALSE(contains(scene.listing(), "r.json")) << scene.listing();
+  EXPECT_FALSE(contains(scene.listing(), ".moivre-")) << scene.listing();
 }
 
 TEST(Robustness, PutsAWholeFileInTheOldOnesPlace) {
