@@ -4,6 +4,7 @@
 #include "moivre/certify/distinct.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <set>
 #include <utility>
@@ -33,6 +34,40 @@ Difference difference(const Certificate& a, const Certificate& b, std::size_t j)
     d.im -= Rational(part[j].imag());
   }
   return d;
+}
+
+/// m_a - m_b in coordinate j as double has it, and what may be missing: what certificates know
+/// beyond double.
+struct RoundedDifference {
+  Complex d;
+  double beyond = 0;
+};
+
+RoundedDifference rounded_difference(const Certificate& a, const Certificate& b, std::size_t j) {
+  RoundedDifference result{a.midpoint[j] - b.midpoint[j]};
+  for (const Certificate* c : {&a, &b}) {
+    for (const Point& part : c->finer) result.beyond += size_bound(part[j]);
+  }
+  return result;
+}
+
+/// What double shows needs no fractions. `raised` covers the rounding of the difference.
+bool are_apart_in_double(const Certificate& a, const Certificate& b) {
+  for (std::size_t j = 0; j < a.midpoint.size(); ++j) {
+    const auto [d, beyond] = rounded_difference(a, b, j);
+    const double least = std::max(std::abs(d.real()), std::abs(d.imag()));
+    if (least > raised(a.error(j) + b.error(j) + beyond)) return true;
+  }
+  return false;
+}
+
+/// The root of a lies in the ball of b.
+bool lies_within_in_double(const Certificate& a, const Certificate& b) {
+  for (std::size_t j = 0; j < a.midpoint.size(); ++j) {
+    const auto [d, beyond] = rounded_difference(a, b, j);
+    if (!(raised(size_bound(d) + a.error(j) + beyond) <= b.radius(j))) return false;
+  }
+  return true;
 }
 
 /// The root of a lies in the ball of b; norms: |m_a - m_b|_j^2.
@@ -129,6 +164,8 @@ void settle(std::span<const Certificate* const> certificates, Distinctness& resu
 }  // namespace
 
 Relation relation(const Certificate& a, const Certificate& b) {
+  if (are_apart_in_double(a, b)) return Relation::distinct;
+  if (lies_within_in_double(a, b) || lies_within_in_double(b, a)) return Relation::same;
   std::vector<Rational> norms;
   for (std::size_t j = 0; j < a.midpoint.size(); ++j) {
     norms.push_back(difference(a, b, j).norm());

@@ -6,8 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
+#include <random>
 
 #include "moivre/certify/bounds.h"
+#include "moivre/numeric/rational.h"
 #include "planted.h"
 
 namespace moivre::test {
@@ -42,6 +45,46 @@ TEST(Distinct, RelationsAreExactAtTheEdge) {
   Certificate finer = ball({1}, 1e-30, 1e-31);
   finer.finer = {{1e-29}};
   EXPECT_EQ(relation(finer, ball({1}, 1e-30, 1e-31)), Relation::distinct);
+}
+
+/// |m_a - m_b|^2 of one coordinate against (error_a + error_b)^2 and (radius_b - error_a)^2.
+Relation by_definition(const Certificate& a, const Certificate& b) {
+  Rational re = Rational(a.midpoint[0].real()) - Rational(b.midpoint[0].real());
+  const Rational im = Rational(a.midpoint[0].imag()) - Rational(b.midpoint[0].imag());
+  for (const Point& part : a.finer) re += Rational(part[0].real());
+  const Rational norm = re * re + im * im;
+  const auto is_beyond = [&](const Rational& reach) { return norm > reach * reach; };
+  if (is_beyond(Rational(a.error(0)) + Rational(b.error(0)))) return Relation::distinct;
+  for (const auto& [inner, outer] : {std::pair{&a, &b}, std::pair{&b, &a}}) {
+    const Rational room = Rational(outer->radius(0)) - Rational(inner->error(0));
+    if (room >= 0 && !is_beyond(room)) return Relation::same;
+  }
+  return Relation::doubtful;
+}
+
+// Distances within some units of the last place of what they are compared with. No pair is both
+// distinct and the same: errors are more than half of what radii leave.
+TEST(Distinct, RelationsThatDoubleTellsAreTheExactOnes) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> unit(0.8, 0.99);
+  std::uniform_int_distribution<int> some(-4, 4);
+  std::map<Relation, int> seen;
+  for (int k = 0; k < 30'000; ++k) {
+    const double scale = std::ldexp(1, 10 * some(random));
+    const double angle = k % 2 == 0 ? 0 : unit(random);
+    Certificate a =
+        ball({std::polar(scale * unit(random), angle)}, 2 * scale, scale * unit(random));
+    if (k % 5 == 0) a.finer = {{scale * 0x1p-54 * some(random)}};
+    Certificate b = ball({0}, 2 * scale, scale * unit(random));
+    const double reach = k % 3 == 0 ? a.error(0) + b.error(0) : b.radius(0) - a.error(0);
+    b.midpoint[0] = a.midpoint[0] + std::polar(reach * (1 + some(random) * 0x1p-52), angle);
+    ASSERT_EQ(relation(a, b), by_definition(a, b)) << k;
+    ASSERT_EQ(relation(b, a), by_definition(a, b)) << k;
+    ++seen[relation(a, b)];
+  }
+  EXPECT_GT(seen[Relation::distinct], 1000);
+  EXPECT_GT(seen[Relation::same], 1000);
+  EXPECT_GT(seen[Relation::doubtful], 1000);
 }
 
 TEST(Distinct, RootsOfPlantedSystemsAreAllDistinct) {

@@ -7,9 +7,9 @@
 //              b, where there is but one
 //
 // The sweep sorts the points' projections on a random direction. Only pairs whose intervals overlap
-// are compared, in exact rational arithmetic. It takes N log N steps, and one for each such pair. A
-// pair that is neither distinct nor the same is in doubt: two overlapping balls prove nothing.
-// Certificates that hold no root are left out.
+// are compared, in exact rational arithmetic where double does not tell. It takes N log N steps,
+// and one for each such pair. A pair that is neither distinct nor the same is in doubt: two
+// overlapping balls prove nothing. Certificates that hold no root are left out.
 #pragma once
 
 #include <cstddef>
