@@ -60,11 +60,15 @@ std::string closure_message(ClosureVerdict verdict) {
   return {};
 }
 
-std::string undecided_set_message(bool has_isolated, int starts) {
+std::string undecided_set_message(bool has_isolated, bool is_drawn_alone, int starts) {
   const std::string what = has_isolated ? "besides the isolated closures others may form a set"
                                         : "no closure is isolated";
-  return "undecided: " + what + ", and Newton-Raphson came to no real pose of one from " +
-         std::to_string(starts) + " starts; there may be none: give a guess, or drivers";
+  const std::string known =
+      is_drawn_alone
+          ? "the drawn pose closes and nothing was seen to move from it; there may be others"
+          : "there may be none";
+  return "undecided: " + what + ", and Newton-Raphson came to no pose that moves from " +
+         std::to_string(starts) + " starts; " + known + ": give a guess, or drivers";
 }
 
 std::string undecided_closures_message(std::uint64_t closures) {

@@ -31,8 +31,9 @@ enum class ClosureVerdict {
   decided
 };
 std::string closure_message(ClosureVerdict verdict);
-/// Whether closures form a set is undecided after Newton-Raphson from so many `starts`.
-std::string undecided_set_message(bool has_isolated, int starts);
+/// Whether closures form a set is undecided after Newton-Raphson from so many `starts`;
+/// is_drawn_alone: it stands at the drawn pose, which closes.
+std::string undecided_set_message(bool has_isolated, bool is_drawn_alone, int starts);
 std::string undecided_closures_message(std::uint64_t closures);
 std::string complex_closures_message(std::uint64_t closures);
 std::string fitted_closures_message(std::uint64_t closures, double fit, const std::string& unit);

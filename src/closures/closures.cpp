@@ -12,6 +12,7 @@
 #include "closure_sentences.h"
 #include "fitted_poses.h"
 #include "moivre/closures/idle_joints.h"
+#include "moivre/mechanism/drawn_pose.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moving_pose.h"
@@ -91,7 +92,8 @@ std::string shortfall(const ClosureSearch& search) {
   // What is missing may be what was not looked for any more.
   if (search.stop) return closure_message(interrupted);
   if (search.undecided_motion) {
-    return undecided_set_message(!search.result.solutions.empty(), kMovingStarts);
+    const bool is_drawn_alone = is_drawn_at(search.mechanism, search.options.time);
+    return undecided_set_message(!search.result.solutions.empty(), is_drawn_alone, kMovingStarts);
   }
   if (search.lost_images > 0) return closure_message(image_lost);
   if (search.unproved > 0) return undecided_closures_message(search.unproved);

@@ -412,8 +412,59 @@ TEST(Moves, IsUndecidedWhereNoRealPoseIsFound) {
   EXPECT_FALSE(result.moves);
   EXPECT_FALSE(result.complete);
   EXPECT_EQ(result.message,
-            "undecided: no closure is isolated, and Newton-Raphson came to no real pose of one "
+            "undecided: no closure is isolated, and Newton-Raphson came to no pose that moves "
             "from 32 starts; there may be none: give a guess, or drivers");
+}
+
+// A flat chain that is stretched as far as it goes: the complex closures are a curve, of which only
+// the drawn pose is real.
+TEST(Moves, OfACurveWithOneRealPoseTheDrawnPoseIsTold) {
+  const ClosureResult result = closures_of(mechanism_text(R"toml(
+space = "spatial"
+[ground.points]
+A = [4, 0, 0]
+B = [-4, 0, 0]
+[body.b1.points]
+A = [4, 0, 0]
+C = [6, 0, 0]
+[body.b2.points]
+C = [6, 0, 0]
+D = [4, 0, 0]
+[body.b3.points]
+D = [4, 0, 0]
+E = [2, 0, 0]
+[body.b4.points]
+E = [2, 0, 0]
+B = [-4, 0, 0]
+[[joint]]
+type = "revolute"
+name = "crank"
+at = ["ground.A", "b1.A"]
+axis = [0.6, 0, 0.8]
+[[joint]]
+type = "spherical"
+at = ["b1.C", "b2.C"]
+[[joint]]
+type = "revolute"
+at = ["b2.D", "b3.D"]
+axis = [0, 0.6, 0.8]
+[[joint]]
+type = "revolute"
+at = ["b3.E", "b4.E"]
+axis = [0, 0.6, 0.8]
+[[joint]]
+type = "revolute"
+at = ["b4.B", "ground.B"]
+axis = [0, 0.6, 0.8]
+[[driver]]
+angle = "crank"
+start = 0
+)toml"));
+  EXPECT_FALSE(result.moves);
+  EXPECT_FALSE(result.complete);
+  EXPECT_NE(result.message.find("the drawn pose closes and nothing was seen to move from it"),
+            std::string::npos)
+      << result.message;
 }
 
 // Of 13 equations in 12 unknowns a square choice may leave a set of roots that the last equation
