@@ -13,6 +13,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <system_error>
+#include <thread>
 #include <vector>
 
 #include "problems.h"
@@ -98,6 +100,21 @@ TEST(Faults, EliminationEndsWhereItIsInterrupted) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
 }
 
+TEST(Faults, ASweepEndsWhereItIsInterrupted) {
+  const Scene scene;
+  const std::string rpr = std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/3-rpr.toml";
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome outcome = scene.run({"sweep", rpr, "--vary", "leg 1.length=8:24:100", "--vary",
+                                     "leg 2.length=8:24:100", "--quiet", "--json", "s.json"},
+                                    false, send_after(0.3, SIGTERM));
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  const Json json = Json::parse(scene.read("s.json"));
+  EXPECT_EQ(json["complete"], false);
+  EXPECT_EQ(json["samples"].back()["complete"], false);
+  // It would take a minute of processor time.
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(30));
+}
+
 TEST(Faults, AFamilyThatIsHalfLearnedIsKept) {
   const Scene scene;
   const std::string nine = std::string(MOIVRE_SOURCE_DIR) + "/problems/families/nine-point.bertini";
@@ -110,6 +127,23 @@ TEST(Faults, AFamilyThatIsHalfLearnedIsKept) {
   EXPECT_GT(family["roots"], 0);
   EXPECT_EQ(family["learning"]["complete"], false);
   EXPECT_TRUE(contains(family["learning"]["standing"], "interrupted after ")) << family;
+}
+
+TEST(Faults, AFamilyWhosePlaceHasNoRoomIsKeptElsewhere) {
+  const Scene scene;
+  scene.write("f.phc", "2 3\nx^2 + a*x*y + y^2 - 1; x^2 - y - 2;\n");
+  const Outcome outcome =
+      scene.run({"family", "learn", "f.phc", "--parameters", "a", "-o", "/dev/full"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  const std::string said =
+      "moivre: cannot write /dev/full: No space left on device; what was learned is in ";
+  ASSERT_TRUE(outcome.err.starts_with(said)) << outcome.err;
+  const std::string elsewhere =
+      outcome.err.substr(said.size(), outcome.err.find('\n') - said.size());
+  const Outcome info = scene.run({"family", "info", elsewhere, "--json", "-"});
+  EXPECT_EQ(info.exit_code, 0) << info.err;
+  EXPECT_EQ(Json::parse(info.out)["families"][0]["roots"], 4);
+  std::filesystem::remove(elsewhere);
 }
 
 TEST(Faults, TwoRunsOnOneFamilyFileLoseNothing) {
@@ -170,6 +204,39 @@ TEST(Faults, APlaceForAFileIsTriedWithoutTouchingIt) {
   const Watch watch(scene, "f.json");
   EXPECT_EQ(scene.run({"solve", "f.phc", "--json", "f.json"}).exit_code, 0);
   EXPECT_EQ(watch.events(), std::vector<std::uint32_t>{IN_MOVED_TO});
+}
+
+/// Waits until the process has a file open that has grown beyond a megabyte. False when it ended
+/// before.
+bool has_begun_to_write(int process) {
+  constexpr std::uintmax_t kBegun = 1 << 20;
+  std::error_code ignored;
+  while (has_worked(process, 0)) {
+    const std::string folder = "/proc/" + std::to_string(process) + "/fd";
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+      if (!entry.is_regular_file(ignored)) continue;
+      const std::uintmax_t size = entry.file_size(ignored);
+      if (!ignored && size > kBegun) return true;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return false;
+}
+
+TEST(Faults, ARunThatIsKilledWhileItWritesLeavesNoDraft) {
+  const Scene scene;
+  const std::string four_bar =
+      std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/four-bar.toml";
+  const Outcome outcome =
+      scene.run({"motion", four_bar, "--steps", "50000", "--quiet", "--json", "m.json"}, false,
+                [](int process) {
+                  EXPECT_TRUE(catches_interrupt(process));
+                  EXPECT_TRUE(has_begun_to_write(process)) << "it ended before";
+                  ::kill(process, SIGKILL);
+                });
+  EXPECT_EQ(outcome.exit_code, -1);
+  EXPECT_FALSE(scene.has("m.json"));
+  EXPECT_FALSE(contains(scene.listing(), ".moivre-")) << scene.listing();
 }
 
 /// The program gets no more address space than this.

@@ -153,6 +153,19 @@ TEST_F(RobotCommands, ASetWithinTheAccuracyOfThePoseIsSaidToMissIt) {
   EXPECT_TRUE(contains(home, "\nthe tip stands while the joints move"));
 }
 
+TEST_F(RobotCommands, TheNameOfAJointBeginsNoFormulaInATable) {
+  const std::string joint = "\"joint1\"";
+  std::string urdf = scene.read(kPuma);
+  for (std::size_t at = 0; (at = urdf.find(joint)) != std::string::npos;) {
+    urdf.replace(at, joint.size(), "\"=cmd|calc\"");
+  }
+  scene.write("formula.urdf", urdf);
+  const Outcome outcome =
+      scene.run({"closures", "formula.urdf", "--pose", kPose, "--quiet", "--csv", "out.csv"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(scene.read("out.csv"), ",'=cmd|calc [rad],")) << scene.read("out.csv");
+}
+
 TEST_F(RobotCommands, EveryFaultOfTheQuestionIsNamed) {
   expect_refusal({"closures", kPuma}, {"--pose"});
   expect_refusal({"closures", kPuma, "--pose", "1 2 3", "--tip", "hnd"},
