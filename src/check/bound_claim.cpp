@@ -38,13 +38,14 @@ std::vector<RootBound> bounds_of_kind(const System& f, BoundKind kind, const Kno
   return bounds;
 }
 
-std::string values_text(const std::vector<RootBound>& bounds) {
+/// What they are instead; nothing is known of some.
+std::string found_text(const std::vector<RootBound>& bounds) {
   std::string text;
   for (const RootBound& bound : bounds) {
-    if (!text.empty()) text += " or ";
-    text += bound.value ? std::to_string(*bound.value) : "not known";
+    if (!bound.value) continue;
+    text += (text.empty() ? "" : " or ") + std::to_string(*bound.value);
   }
-  return text;
+  return text.empty() ? "none was found" : "found is " + text;
 }
 
 }  // namespace
@@ -83,7 +84,7 @@ void judge_bound(const Claims& claims, const StandIn& stand_in, Verdicts& verdic
   if (stop) throw JudgementEnds();
   if (std::any_of(bounds.begin(), bounds.end(), is_it)) return verdicts.hold(ClaimKind::bound);
   const std::string why =
-      std::to_string(value) + " is said to be the " + name + ", found is " + values_text(bounds);
+      std::to_string(value) + " is said to be the " + name + ", and " + found_text(bounds);
   // Another partition of the unknowns may have fewer paths than the one that was found.
   const bool are_known =
       std::all_of(bounds.begin(), bounds.end(), [](const RootBound& b) { return b.value; });

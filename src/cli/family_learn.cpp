@@ -103,6 +103,40 @@ SolveOptions options_of(const LearnCommand& command, const Tracker* fallback) {
   return options;
 }
 
+/// Where it cannot be written to its place it is kept elsewhere: what was learned took its time.
+/// Why, or empty.
+std::string written(Output& out, const std::string& text) {
+  try {
+    out.write(text);
+    return "";
+  } catch (const std::invalid_argument& failure) {
+    if (out.is_stdout() || is_writing_interrupted()) return failure.what();
+    const std::string elsewhere = (std::filesystem::temp_directory_path() /
+                                   ("moivre-" + std::to_string(::getpid()) + ".family"))
+                                      .string();
+    try {
+      Output(elsewhere).write(text);
+    } catch (const std::invalid_argument&) {
+      return failure.what();
+    }
+    return std::string(failure.what()) + "; what was learned is in " + elsewhere;
+  }
+}
+
+/// `standing`: why more may be to be learned; empty where nothing is.
+int deliver_learned(const LearnCommand& command, const FamilyFile& file,
+                    const std::string& standing, Output& json, Output& out, KeptRun& kept) {
+  const std::string text = family_text(file);
+  const std::string failure = written(out, text);
+  kept.keep_beside(1, text);
+  const int code = kept.deliver(
+      {{&json, [&] { return family_report_json(file, command.family, "family learn"); }}},
+      command.quiet, [&] { return family_report_text(file, command.family); }, standing,
+      standing.empty() ? kDecided : kUndecided);
+  if (!failure.empty()) throw std::invalid_argument(failure);
+  return code;
+}
+
 /// A file of its own kind: every number is a parameter, and none is named.
 int run_mechanism(const LearnCommand& command, const Tracker& tracker) {
   if (!command.parameters.empty()) {
@@ -119,10 +153,9 @@ int run_mechanism(const LearnCommand& command, const Tracker& tracker) {
   options.observations = kept.observations();
   const Interruption interruption(command.time_limit);
   const FamilyFile file = learn_mechanism(command.file, tracker, options, interruption.stop());
-  return kept.deliver(
-      {{&json, [&] { return family_report_json(file, command.family, "family learn"); }},
-       {&out, [&] { return family_text(file); }}},
-      command.quiet, [&] { return family_report_text(file, command.family); }, "", kDecided);
+  const std::string standing =
+      interruption.stop() ? "interrupted: families of other parts may be missing" : "";
+  return deliver_learned(command, file, standing, json, out, kept);
 }
 
 Family learn_by_loops(const LearnCommand& command, Family family, const Tracker& tracker,
@@ -167,26 +200,6 @@ FamilyFile learn_interruptibly(const LearnCommand& command, Family family, const
   return file;
 }
 
-/// Where it cannot be written to its place it is kept elsewhere: what was learned took its time.
-/// Why, or empty.
-std::string written(Output& out, const std::string& text) {
-  try {
-    out.write(text);
-    return "";
-  } catch (const std::invalid_argument& failure) {
-    if (out.is_stdout() || is_writing_interrupted()) return failure.what();
-    const std::string elsewhere = (std::filesystem::temp_directory_path() /
-                                   ("moivre-" + std::to_string(::getpid()) + ".family"))
-                                      .string();
-    try {
-      Output(elsewhere).write(text);
-    } catch (const std::invalid_argument&) {
-      return failure.what();
-    }
-    return std::string(failure.what()) + "; what was learned is in " + elsewhere;
-  }
-}
-
 int run(const LearnCommand& command) {
   std::unique_ptr<Tracker> tracker;
   require_all(
@@ -210,15 +223,8 @@ int run(const LearnCommand& command) {
     throw std::invalid_argument("interrupted: nothing was learned, and " + command.family +
                                 " is unchanged");
   }
-  const std::string text = family_text(file);
-  const std::string failure = written(out, text);
-  kept.keep_beside(1, text);
-  const int code = kept.deliver(
-      {{&json, [&] { return family_report_json(file, command.family, "family learn"); }}},
-      command.quiet, [&] { return family_report_text(file, command.family); },
-      learning.complete ? "" : learning.standing, learning.complete ? kDecided : kUndecided);
-  if (!failure.empty()) throw std::invalid_argument(failure);
-  return code;
+  return deliver_learned(command, file, learning.complete ? "" : learning.standing, json, out,
+                         kept);
 }
 
 }  // namespace

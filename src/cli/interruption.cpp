@@ -103,6 +103,7 @@ Interruption::Interruption(std::optional<double> seconds)
     catch_signal(SIGALRM, note_time);
     set_timer(*seconds_);
   }
+  spare_addresses();
   reserve = std::malloc(kReserve);
   std::set_new_handler(give_up_reserve);
   try {
@@ -141,6 +142,8 @@ void Interruption::watch_memory() {
   while (!is_over_) {
     wake_.wait_for(lock, kLook, [this] { return is_over_; });
     if (is_over_) return;
+    // What is left to do then is to tell what there is.
+    if (is_writing) continue;
     const MemoryState memory = memory_state();
     if (memory.available < memory.used / kShareToTell + kLeastToTell) {
       return ask_to_stop(Reason::memory);

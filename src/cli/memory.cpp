@@ -2,6 +2,9 @@
 // What Linux tells of memory: /proc, the limit of the address space, and that of the control group.
 #include "memory.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -40,10 +43,15 @@ std::uint64_t left_by_group() {
   return limit_file >> limit && used_file >> used ? left(limit, used) : kUnlimited;
 }
 
-std::uint64_t left_by_limit(std::uint64_t address_space) {
+std::uint64_t limit_of_addresses() {
   struct rlimit limit = {};
   if (::getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return kUnlimited;
-  return left(limit.rlim_cur, address_space);
+  return limit.rlim_cur;
+}
+
+std::uint64_t left_by_limit(std::uint64_t address_space) {
+  const std::uint64_t limit = limit_of_addresses();
+  return limit == kUnlimited ? kUnlimited : left(limit, address_space);
 }
 
 }  // namespace
@@ -56,6 +64,12 @@ MemoryState memory_state() {
   file >> address_space >> resident;
   return {resident * page,
           std::min({left_by_machine(), left_by_group(), left_by_limit(address_space * page)})};
+}
+
+void spare_addresses() {
+#ifdef __GLIBC__
+  if (limit_of_addresses() != kUnlimited) ::mallopt(M_ARENA_MAX, 1);
+#endif
 }
 
 }  // namespace moivre

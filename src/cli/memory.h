@@ -15,4 +15,8 @@ struct MemoryState {
 /// Of this moment; where the system does not tell, as much as there is no lack of.
 MemoryState memory_state();
 
+/// The C library reserves 64 MB of addresses for each thread that asks for memory. Where addresses
+/// are limited threads share one place instead. Before the first thread.
+void spare_addresses();
+
 }  // namespace moivre

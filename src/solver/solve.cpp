@@ -49,12 +49,42 @@ SolveResult described(const Setting& setting) {
   return result;
 }
 
+/// Elimination is exact, and its one root is regular: the ball may be as large as one likes.
+/// nullptr where there are no coordinates, or one is beyond double.
+std::shared_ptr<const Certificate> proof_of_value(const std::vector<Coefficient>& x) {
+  // Of the distance from a number to the double next to it, both parts of it.
+  constexpr double kRoundedUp = 1 + 0x1p-40;
+  constexpr double kLeastRadius = 0x1p-1000;
+  if (x.empty()) return nullptr;
+  auto proof = std::make_shared<Certificate>();
+  proof->verdict = Verdict::certified;
+  proof->reality = Reality::real;
+  proof->bits = kDoubleBits;
+  std::vector<double> radii, errors;
+  for (const Coefficient& xj : x) {
+    const Complex middle = to_complex(xj);
+    if (!std::isfinite(middle.real()) || !std::isfinite(middle.imag())) return nullptr;
+    const Coefficient rest = xj - Coefficient{Rational(middle.real()), Rational(middle.imag())};
+    const Complex beyond = to_complex(rest);
+    const double error = kRoundedUp * (std::abs(beyond.real()) + std::abs(beyond.imag()));
+    const bool is_double = rest.re.is_zero() && rest.im.is_zero();
+    proof->midpoint.push_back(middle);
+    errors.push_back(is_double ? 0 : error + kLeastRadius / 4);
+    radii.push_back(std::max({2 * errors.back(), 0x1p-40 * std::abs(middle), kLeastRadius}));
+    if (!xj.im.is_zero()) proof->reality = Reality::not_real;
+  }
+  proof->sizes.assign(radii, errors);
+  return proof;
+}
+
 /// The root that elimination has found.
 Solution eliminated_root(const Setting& setting) {
   Refiner refiner(setting.refiner_program);
   Root root;
-  const Point x = restore(setting.prepared.reduction, Point{});
-  if (!x.empty()) root.certificate = Prover(setting.certify_program).prove(x);
+  const Reduction& reduction = setting.prepared.reduction;
+  const Point x = restore(reduction, Point{});
+  root.certificate = proof_of_value(
+      restore(reduction, std::vector<Coefficient>(), [](const Coefficient& c) { return c; }));
   root.point = root.certificate ? refiner.take(*root.certificate) : refiner.keep(x, 0, 1);
   root.point.simple = root.certificate || x.empty();
   Run run(setting);

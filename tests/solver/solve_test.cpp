@@ -234,6 +234,35 @@ TEST(Solve, TellsARootBeyondDoubleAsNone) {
   }
 }
 
+// Dense matrices of 1500 unknowns would be gigabytes.
+TEST(Solve, ProvesTheRootOfManyLinearEquationsByTheirElimination) {
+  constexpr int kLength = 1500;
+  std::string text = std::to_string(kLength) + "\nx1 - 1/3;\n";
+  for (int k = 2; k <= kLength; ++k) {
+    text += "x" + std::to_string(k) + " - x" + std::to_string(k - 1) + " - 1/3;\n";
+  }
+  const SolveResult result = solve_with_cvode(read(text));
+  ASSERT_EQ(result.solutions.size(), 1U);
+  EXPECT_EQ(result.completeness, RootCompleteness::proved);
+  const Solution& root = result.solutions.front();
+  EXPECT_EQ(root.certified, true);
+  EXPECT_TRUE(root.real);
+  EXPECT_GT(root.accuracy, 0);
+  EXPECT_LT(root.accuracy, 0x1p-52);
+  for (int k = 1; k <= kLength; ++k) {
+    const Rational off = Rational(root.x[static_cast<std::size_t>(k - 1)].real()) - Rational(k) / 3;
+    EXPECT_LE(std::abs(to_double(off)), root.accuracy * std::max(1.0, max_norm(root.x)));
+  }
+}
+
+TEST(Solve, ARootThatDoubleTakesForZeroIsProvedNearIt) {
+  const SolveResult result = solve_with_cvode(read("2\n 1e200*x - 1e-200;\n y - x - 1;\n"));
+  ASSERT_EQ(result.solutions.size(), 1U);
+  EXPECT_EQ(result.completeness, RootCompleteness::proved);
+  EXPECT_EQ(result.solutions.front().x[0], 0.0);
+  EXPECT_GT(result.solutions.front().accuracy, 0);
+}
+
 TEST(Solve, KnowsHowExactlyRootsAreKnownWhoseSquaresAreBeyondDouble) {
   if (!proves_beyond_double()) GTEST_SKIP() << "needs more digits";
   for (const char* text : {"1\n x - 1e155;\n", "1\n 1e-200*x^2 - 3*x + 1e200;\n"}) {
