@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The progress line: carriage return, text, erase to the end of the line.
+// The progress line: carriage return, text, erase to the end of the line; by those who have news,
+// and by a thread each second.
 #include "progress_line.h"
 
 #include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <system_error>
 
 namespace moivre {
 namespace {
@@ -14,47 +16,90 @@ namespace {
 constexpr std::chrono::seconds kPatience{1};
 // Often enough to look alive, seldom enough to cost nothing.
 constexpr std::chrono::milliseconds kPeriod{100};
+constexpr std::chrono::seconds kTick{1};
+
+std::string text_of(const Progress& progress, double seconds) {
+  if (progress.search) {
+    const int percent = static_cast<int>(100 * *progress.search);
+    return std::to_string(progress.cells) + " mixed cells, search about " +
+           std::to_string(percent) + " % done";
+  }
+  const std::string text = std::to_string(progress.done) + " of " + std::to_string(progress.total) +
+                           " paths, " + std::to_string(progress.finite) + " finite, ";
+  if (progress.done >= progress.total) return text + "settling what is open";
+  char rate[32];
+  std::snprintf(rate, sizeof rate, "%.3g", static_cast<double>(progress.done) / seconds);
+  return text + rate + " a second";
+}
+
+double done_of(const Progress& progress) {
+  if (progress.search) return *progress.search;
+  return static_cast<double>(progress.done) /
+         static_cast<double>(std::max<std::uint64_t>(1, progress.total));
+}
 
 }  // namespace
 
 ProgressLine::ProgressLine(bool wanted)
-    : active_(wanted && ::isatty(STDERR_FILENO) != 0), next_(begin_ + kPatience) {}
+    : active_(wanted && ::isatty(STDERR_FILENO) != 0), next_(begin_ + kPatience) {
+  if (!active_) return;
+  try {
+    seconds_ = std::thread([this] { go_on_by_itself(); });
+  } catch (const std::system_error&) {
+    // The line stands still between two reports.
+  }
+}
 
 ProgressLine::~ProgressLine() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_over_ = true;
+  }
+  wake_.notify_one();
+  if (seconds_.joinable()) seconds_.join();
   if (shown_) std::fputs("\r\x1b[K", stderr);
 }
 
 void ProgressLine::show(const Progress& progress) {
-  if (!active_ || Clock::now() < next_) return;
-  if (progress.search) {
-    const int percent = static_cast<int>(100 * *progress.search);
-    return show(std::to_string(progress.cells) + " mixed cells, search about " +
-                    std::to_string(percent) + " % done",
-                *progress.search);
-  }
+  if (!active_ || !is_due()) return;
   const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
-  char rate[32];
-  std::snprintf(rate, sizeof rate, "%.3g", static_cast<double>(progress.done) / seconds);
-  show(std::to_string(progress.done) + " of " + std::to_string(progress.total) + " paths, " +
-           std::to_string(progress.finite) + " finite, " + rate + " a second",
-       static_cast<double>(progress.done) /
-           static_cast<double>(std::max<std::uint64_t>(1, progress.total)));
+  show(text_of(progress, seconds), done_of(progress));
 }
 
 void ProgressLine::show(const std::string& text, double done) {
+  const std::lock_guard lock(mutex_);
   const Clock::time_point now = Clock::now();
   if (!active_ || now < next_) return;
+  text_ = text;
+  done_ = done;
+  draw(now);
+}
+
+bool ProgressLine::is_due() {
+  const std::lock_guard lock(mutex_);
+  return Clock::now() >= next_;
+}
+
+void ProgressLine::draw(Clock::time_point now) {
   next_ = now + kPeriod;
   shown_ = true;
   const double seconds = std::chrono::duration<double>(now - begin_).count();
   std::string left;
-  if (done > 0 && done < 1) {
+  if (done_ > 0 && done_ < 1) {
     char number[48];
-    std::snprintf(number, sizeof number, ", about %.0f s left", seconds * (1 - done) / done);
+    std::snprintf(number, sizeof number, ", about %.0f s left", seconds * (1 - done_) / done_);
     left = number;
   }
-  std::fprintf(stderr, "\r%s, %.0f s%s\x1b[K", text.c_str(), seconds, left.c_str());
+  std::fprintf(stderr, "\r%s, %.0f s%s\x1b[K", text_.c_str(), seconds, left.c_str());
   std::fflush(stderr);
+}
+
+void ProgressLine::go_on_by_itself() {
+  std::unique_lock lock(mutex_);
+  while (!is_over_) {
+    wake_.wait_for(lock, kTick, [this] { return is_over_; });
+    if (!is_over_ && shown_) draw(Clock::now());
+  }
 }
 
 }  // namespace moivre
