@@ -131,8 +131,8 @@ int deliver_learned(const LearnCommand& command, const FamilyFile& file,
   kept.keep_beside(1, text);
   const int code = kept.deliver(
       {{&json, [&] { return family_report_json(file, command.family, "family learn"); }}},
-      command.quiet, [&] { return family_report_text(file, command.family); }, standing,
-      standing.empty() ? kDecided : kUndecided);
+      command.quiet || out.is_stdout(), [&] { return family_report_text(file, command.family); },
+      standing, standing.empty() ? kDecided : kUndecided);
   if (!failure.empty()) throw std::invalid_argument(failure);
   return code;
 }

@@ -21,6 +21,7 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -267,8 +268,12 @@ std::string failures_of(const std::vector<std::function<void()>>& writes, int th
   const std::size_t wanted =
       threads == 0 ? std::thread::hardware_concurrency() : static_cast<std::size_t>(threads);
   std::vector<std::future<void>> others;
-  for (std::size_t k = 1; k < std::min(wanted, writes.size()); ++k) {
-    others.push_back(std::async(std::launch::async, work));
+  try {
+    for (std::size_t k = 1; k < std::min(wanted, writes.size()); ++k) {
+      others.push_back(std::async(std::launch::async, work));
+    }
+  } catch (const std::system_error&) {
+    // There is no other thread to be had: this one writes what is left.
   }
   work();
   for (std::future<void>& other : others) other.get();

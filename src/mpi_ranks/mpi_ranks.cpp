@@ -17,8 +17,8 @@ class SharesOfRanks : public JobShares {
   SharesOfRanks& operator=(const SharesOfRanks&) = delete;
 
   std::optional<std::uint64_t> draw() override { return lists_.draw(key_); }
-  void tell(std::uint64_t job, std::string outcome) override {
-    lists_.tell(key_, job, std::move(outcome));
+  bool tell(std::uint64_t job, std::string outcome) override {
+    return lists_.tell(key_, job, std::move(outcome));
   }
   std::optional<std::vector<ToldOutcome>> wait(const std::atomic<bool>& stop) override {
     return lists_.wait(key_, stop);

@@ -31,7 +31,7 @@ enum Tag : int {
 
 // Between two looks a share of the time since the last message, within these bounds.
 constexpr int kShareOfSilence = 4;
-constexpr std::chrono::microseconds kShortestSleep{100}, kLongestSleep{10000};
+constexpr std::chrono::microseconds kShortestSleep{100}, kLongestSleep{2000};
 
 void put_key(ByteWriter& bytes, const ListKey& key, std::uint64_t jobs) {
   for (const std::uint64_t word : {key.list.first, key.list.second, key.time, jobs}) {

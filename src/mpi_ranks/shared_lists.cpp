@@ -70,14 +70,15 @@ std::optional<std::uint64_t> SharedLists::draw(const ListKey& key) {
   return std::nullopt;
 }
 
-void SharedLists::tell(const ListKey& key, std::uint64_t job, std::string outcome) {
+bool SharedLists::tell(const ListKey& key, std::uint64_t job, std::string outcome) {
   const std::lock_guard lock(mutex_);
   List& list = lists_.at(key);
-  if (list.told.at(job)) return;
+  if (list.told.at(job)) return false;
   list.told[job] = true;
   --list.left;
   if (list.to_tell.empty()) list.first_to_tell = std::chrono::steady_clock::now();
   list.to_tell.push_back({job, std::move(outcome)});
+  return true;
 }
 
 std::optional<std::vector<ToldOutcome>> SharedLists::wait(const ListKey& key,

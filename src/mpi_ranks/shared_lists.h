@@ -39,7 +39,8 @@ class SharedLists {
   ListKey open(const Fingerprint& list, std::uint64_t jobs);
   void close(const ListKey& key);
   std::optional<std::uint64_t> draw(const ListKey& key);
-  void tell(const ListKey& key, std::uint64_t job, std::string outcome);
+  /// False where its outcome has arrived from another rank.
+  bool tell(const ListKey& key, std::uint64_t job, std::string outcome);
   std::optional<std::vector<ToldOutcome>> wait(const ListKey& key, const std::atomic<bool>& stop);
 
   // Of the thread that speaks with others:

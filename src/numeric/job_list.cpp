@@ -25,8 +25,8 @@ struct JobsUnderWay {
         others.push_back(job);
         continue;
       }
-      jobs.take(job, found->second);
-      if (shares) shares->tell(job, std::move(found->second));
+      // Another process may have begun before this one had read what it knows.
+      if (!shares || shares->tell(job, found->second)) jobs.take(job, found->second);
     }
     return others;
   }

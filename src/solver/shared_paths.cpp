@@ -74,7 +74,8 @@ void SharedPaths::tell_known(JobShares& shares) {
   for (auto& [path, bytes] : observations_.recall(list_)) {
     const auto place = place_of_.find(path);
     if (place == place_of_.end()) continue;
-    shares.tell(place->second, told_of(std::string_view(bytes)));
+    // Another process may have begun before this one had read what it knows.
+    if (!shares.tell(place->second, told_of(std::string_view(bytes)))) continue;
     ++known_;
     sink_(path, end_of(bytes));
   }
@@ -88,14 +89,14 @@ void SharedPaths::follow_mine(JobShares& shares) {
   has_memory_ = track_until_they_wait(
       problem_, mine, tolerance_level_, threads_,
       [&](std::uint64_t path, PathEnd&& end) {
-        if (end.failure != Failure::cancelled) {
-          shares.tell(place_of_.at(path), told_of(std::string_view(bytes_of(end))));
-        }
-        this->end(path, std::move(end), EndPart::of_itself);
+        const bool is_news =
+            end.failure == Failure::cancelled ||
+            shares.tell(place_of_.at(path), told_of(std::string_view(bytes_of(end))));
+        if (is_news) this->end(path, std::move(end), EndPart::of_itself);
       },
       stop_, waiting);
   for (WaitingPath& path : waiting) {
-    shares.tell(place_of_.at(path.path), told_of(path));
+    if (!shares.tell(place_of_.at(path.path), told_of(path))) continue;
     waiting_.push_back(std::move(path));
   }
 }

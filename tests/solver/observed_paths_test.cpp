@@ -171,5 +171,35 @@ TEST(ObservedPaths, SeveralThatShareTheirPathsComeToWhatOneComesTo) {
   }
 }
 
+// Others may begin, and tell, before one has read what it knows: it takes each outcome once.
+TEST(ObservedPaths, WhatOneKnowsAndOthersHaveToldBeforeIsTakenOnce) {
+  /// One of a company who remembers a run before.
+  class OneWhoRemembers : public OneOfCompany {
+   public:
+    OneWhoRemembers(Company& company, Memory& memory) : OneOfCompany(company), memory_(memory) {}
+    std::map<std::uint64_t, std::string> recall(const Fingerprint& list) override {
+      return memory_.recall(list);
+    }
+
+   private:
+    Memory& memory_;
+  };
+  SolveOptions options;
+  options.threads = 1;
+  options.start = StartKind::total_degree;
+  const System f = system_of(problem("cyclic-5"));
+  const auto tracker = make_lane_tracker();
+  Memory memory;
+  options.observations = &memory;
+  const SolveResult alone = solve(f, *tracker, options);
+  Company company;
+  OneOfCompany other(company);
+  options.observations = &other;
+  expect_same(solve(f, *tracker, options), alone);
+  OneWhoRemembers late(company, memory);
+  options.observations = &late;
+  expect_same(solve(f, *tracker, options), alone);
+}
+
 }  // namespace
 }  // namespace moivre::test

@@ -67,10 +67,12 @@ class Share : public JobShares {
     ++drawn;
     return list_.next++;
   }
-  void tell(std::uint64_t job, std::string outcome) override {
+  bool tell(std::uint64_t job, std::string outcome) override {
     const std::lock_guard lock(company_.mutex);
+    if (list_.outcomes[job] && !is_known_[job]) return false;
     list_.outcomes[job] = std::move(outcome);
     is_known_[job] = true;
+    return true;
   }
   std::optional<std::vector<ToldOutcome>> wait(const std::atomic<bool>&) override {
     while (true) {

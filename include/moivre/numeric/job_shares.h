@@ -29,8 +29,9 @@ class JobShares {
   virtual ~JobShares() = default;
   /// None where every job is in hand or done. Thread-safe.
   virtual std::optional<std::uint64_t> draw() = 0;
-  /// Of a job that was drawn, or whose outcome was known. Thread-safe.
-  virtual void tell(std::uint64_t job, std::string outcome) = 0;
+  /// Of a job that was drawn, or whose outcome was known. False: another has told it before, and
+  /// wait() has its outcome, which is to be taken once. Thread-safe.
+  virtual bool tell(std::uint64_t job, std::string outcome) = 0;
   /// Outcomes that others have sent since, when there are any; none: there are jobs to draw again.
   /// nullopt: all outcomes have come in, or the run is to stop.
   virtual std::optional<std::vector<ToldOutcome>> wait(const std::atomic<bool>& stop) = 0;
