@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The only signal handlers of Moivre, the only handler of failed allocations, and the thread that
-// looks at memory.
+// The only signal handlers of Moivre, and the only handler of failed allocations.
 #include "interruption.h"
 
 #include <sys/time.h>
 
 #include <algorithm>
-#include <chrono>
+#include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
-#include <system_error>
 
 #include "memory.h"
 #include "process_role.h"
@@ -36,7 +34,8 @@ constexpr int kIgnored = SIGXFSZ;
 constexpr int kSignals[]{SIGINT, SIGTERM, SIGHUP};
 // Untouched, so that it takes address space only.
 constexpr std::size_t kReserve = std::size_t{32} << 20;
-constexpr std::chrono::milliseconds kLook{50};
+// Processor time, of all threads: who takes memory works.
+constexpr double kLook = 0.05;
 // What a run has in memory is told with less than a third of it again; of little of it the reserve
 // is enough.
 constexpr std::uint64_t kShareToTell = 3;
@@ -58,6 +57,15 @@ void note_signal(int signal) {
 
 void note_time(int) { ask_to_stop(Reason::time); }
 
+void look_at_memory(int) {
+  // What is left to do while results are written is to tell what there is.
+  if (interrupted || is_writing) return;
+  const int of_who_is_interrupted = errno;
+  const MemoryState memory = memory_state();
+  if (memory.available < memory.used / kShareToTell + kLeastToTell) ask_to_stop(Reason::memory);
+  errno = of_who_is_interrupted;
+}
+
 /// Called where memory cannot be had: once for all threads the reserve is given up, and each tries
 /// once more.
 void give_up_reserve() {
@@ -69,16 +77,24 @@ void give_up_reserve() {
   has_tried_again = true;
 }
 
-/// 0: none. The system's timer counts microseconds, and takes none of them for no timer.
-void set_timer(double seconds) {
+/// The system's timers count microseconds, and take none of them for no timer. `again`: and again
+/// after as many seconds.
+void set_timer(__itimer_which_t clock, double seconds, bool again = false) {
   constexpr double kLongest = 1e9;  // some thirty years
   constexpr double kMicro = 1e6;
-  struct itimerval timer = {};
   const double whole = std::floor(std::min(seconds, kLongest));
   const double rest = std::clamp(seconds - whole, 0.0, 1.0);
+  struct itimerval timer = {};
   timer.it_value.tv_sec = static_cast<time_t>(whole);
   timer.it_value.tv_usec = static_cast<suseconds_t>(std::min(std::ceil(rest * kMicro), kMicro - 1));
-  setitimer(ITIMER_REAL, &timer, nullptr);
+  if (again) timer.it_interval = timer.it_value;
+  setitimer(clock, &timer, nullptr);
+}
+
+void end_timer(__itimer_which_t clock, int signal) {
+  set_timer(clock, 0);
+  // Its last signal may be on its way to another thread, and ends no program.
+  std::signal(signal, SIG_IGN);
 }
 
 void catch_signal(int signal, void (*handler)(int)) {
@@ -101,31 +117,20 @@ Interruption::Interruption(std::optional<double> seconds)
   std::signal(kIgnored, SIG_IGN);
   if (seconds_) {
     catch_signal(SIGALRM, note_time);
-    set_timer(*seconds_);
+    set_timer(ITIMER_REAL, *seconds_);
   }
   spare_addresses();
   reserve = std::malloc(kReserve);
   std::set_new_handler(give_up_reserve);
-  try {
-    watch_ = std::thread([this] { watch_memory(); });
-  } catch (const std::system_error&) {
-    // The reserve has to do.
-  }
+  catch_signal(SIGPROF, look_at_memory);
+  set_timer(ITIMER_PROF, kLook, true);
 }
 
 Interruption::~Interruption() {
-  {
-    const std::lock_guard lock(mutex_);
-    is_over_ = true;
-  }
-  wake_.notify_one();
-  if (watch_.joinable()) watch_.join();
+  end_timer(ITIMER_PROF, SIGPROF);
   std::set_new_handler(nullptr);
   std::free(reserve.exchange(nullptr));
-  if (seconds_) {
-    set_timer(0);
-    std::signal(SIGALRM, SIG_DFL);
-  }
+  if (seconds_) end_timer(ITIMER_REAL, SIGALRM);
   for (const int signal : kSignals) {
     struct sigaction now = {};
     sigaction(signal, nullptr, &now);
@@ -135,20 +140,6 @@ Interruption::~Interruption() {
     std::fprintf(stderr, "moivre: the time limit of %g s was reached\n", *seconds_);
   }
   if (stop_reason == Reason::memory) std::fputs("moivre: memory ran out\n", stderr);
-}
-
-void Interruption::watch_memory() {
-  std::unique_lock lock(mutex_);
-  while (!is_over_) {
-    wake_.wait_for(lock, kLook, [this] { return is_over_; });
-    if (is_over_) return;
-    // What is left to do then is to tell what there is.
-    if (is_writing) continue;
-    const MemoryState memory = memory_state();
-    if (memory.available < memory.used / kShareToTell + kLeastToTell) {
-      return ask_to_stop(Reason::memory);
-    }
-  }
 }
 
 const std::atomic<bool>& Interruption::stop() const { return interrupted; }

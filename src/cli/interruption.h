@@ -6,18 +6,17 @@
 //                             once; SIGHUP does not, where the run was begun with nohup
 //   a limit of time           asks as the first signal does
 //   a ledger                  that cannot be written any more asks too
-//   memory                    looked at now and then: what is left has to suffice for telling what
-//                             is finished. Where an allocation fails all the same a reserve is
-//                             given up for that
+//   memory                    looked at now and then, by a signal too (SIGPROF, by processor time):
+//                             what is left has to suffice for telling what is finished. Where an
+//                             allocation fails all the same a reserve is given up for that
+//
+// There is no thread that watches: beside a second thread each allocation takes locks.
 //
 // While results are written a signal gives the writing up (is_writing_interrupted()).
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
-#include <mutex>
 #include <optional>
-#include <thread>
 
 namespace moivre {
 
@@ -34,13 +33,7 @@ class Interruption {
   const std::atomic<bool>& stop() const;
 
  private:
-  void watch_memory();
-
   std::optional<double> seconds_;
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  bool is_over_ = false;
-  std::thread watch_;
 };
 
 /// As a signal would, but without a word: who calls tells why.

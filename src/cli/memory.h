@@ -12,7 +12,8 @@ struct MemoryState {
   std::uint64_t available = 0;  ///< bytes that can still be had
 };
 
-/// Of this moment; where the system does not tell, as much as there is no lack of.
+/// Of this moment; where the system does not tell, as much as there is no lack of. Signal handlers
+/// may ask.
 MemoryState memory_state();
 
 /// The C library reserves 64 MB of addresses for each thread that asks for memory. Where addresses

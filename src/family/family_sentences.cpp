@@ -53,6 +53,11 @@ std::string standing_of_interrupted(int loops) {
   return "interrupted after " + told_loops(loops) + ": there may be more roots";
 }
 
+std::string standing_of_cut_loops(int loops) {
+  return told_loops(loops) +
+         ", until a limit of loops or roots ended them: there may be more roots";
+}
+
 std::string standing_without_trace_test(int loops, std::uint64_t lost) {
   const std::string why =
       lost == 0 ? "" : ", since " + counted(lost, "point") + " of the curve could not be followed";

@@ -26,6 +26,7 @@ std::string standing_by_bound(BoundKind bound);
 std::string standing_by_bound_of_loops(BoundKind bound, int strays);
 std::string standing_with_strays(int strays);
 std::string standing_of_interrupted(int loops);
+std::string standing_of_cut_loops(int loops);
 /// lost: points of the curve that could not be followed for a trace test; 0: none was begun.
 std::string standing_without_trace_test(int loops, std::uint64_t lost);
 std::string standing_by_trace_test(bool holds, std::uint64_t points);

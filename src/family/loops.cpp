@@ -194,8 +194,9 @@ LoopCount go_round_loops(const System& system, const Point& base, const LoopSear
                          const Follower& follower, RootSet& roots) {
   const MonodromyOptions& options = search.options;
   LoopCount count;
-  for (int quiet = 0; count.loops < options.most_loops && quiet < options.quiet_loops &&
-                      roots.size() <= options.most_roots && !follower.stop;) {
+  for (int quiet = 0; quiet < options.quiet_loops && !follower.stop;) {
+    count.was_cut = count.loops == options.most_loops || roots.size() > options.most_roots;
+    if (count.was_cut) break;
     const std::uint64_t number =
         search.first_number + 2 * static_cast<std::uint64_t>(count.loops++);
     const Point a = random_member(search.sizes, options.seed, number);

@@ -36,10 +36,12 @@ struct LoopSearch {
 struct LoopCount {
   int loops = 0;
   std::uint64_t paths = 0;
+  bool was_cut = false;  ///< a limit of loops or roots ended it while they brought new roots
 
   LoopCount& operator+=(const LoopCount& other) {
     loops += other.loops;
     paths += other.paths;
+    was_cut = was_cut || other.was_cut;
     return *this;
   }
 };

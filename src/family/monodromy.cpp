@@ -107,6 +107,7 @@ std::string standing_of(const Learning& learning, const TraceTest& test, const S
                         bool was_stopped) {
   const int strays = search.components - 1;
   if (learning.bound) return standing_by_bound_of_loops(learning.bound->kind, strays);
+  if (search.count.was_cut && !test.was_made) return standing_of_cut_loops(search.count.loops);
   if (strays > 0) return standing_with_strays(strays);
   if (was_stopped) return standing_of_interrupted(search.count.loops);
   if (!test.was_made) return standing_without_trace_test(search.count.loops, test.lost);

@@ -228,7 +228,7 @@ TraceTest trace_test(const Family& family, const Tracker& tracker, const Monodro
     if (end) points.add(*std::move(end));  // loops may find the others
   }
   const LoopSearch search{std::vector<double>(base.size(), 1.0), kTestLoops, options};
-  go_round_loops(curve, base, search, follower, points);
+  if (go_round_loops(curve, base, search, follower, points).was_cut) return test;
   test.points = points.size();
   const Complex step = random_number(options.seed, kSum, n + 1);
   for (const double length : kSteps) {

@@ -16,21 +16,32 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-void require_numbers(const Mechanism& mechanism, const VectorXd& q, const std::string& name) {
-  const Eigen::Index each = mechanism.space == Space::planar ? 3 : 6;
-  const Eigen::Index n = each * (static_cast<Eigen::Index>(mechanism.bodies.size()) - 1);
-  if (q.size() < n) {
-    throw InvalidInput("q has " + std::to_string(n) + " numbers, one for each coordinate, not " +
-                       std::to_string(q.size()));
+/// 0 x is 0 for finite x, and NaN for others; a sum of them is several numbers at a time.
+bool are_finite(const VectorXd& x) { return (0 * x).sum() == 0; }
+
+void require_numbers(Eigen::Index least, const VectorXd& q, const char* name) {
+  if (q.size() < least) {
+    throw InvalidInput(std::string(name) + " has " + std::to_string(least) +
+                       " numbers, one for each coordinate, not " + std::to_string(q.size()));
   }
-  if (!q.allFinite()) throw InvalidInput(name + " has a number that is not finite");
+  if (!are_finite(q)) throw InvalidInput(std::string(name) + " has a number that is not finite");
+}
+
+void require_coordinates(const Mechanism& mechanism, const VectorXd& q) {
+  const Eigen::Index each = mechanism.space == Space::planar ? 3 : 6;
+  require_numbers(each * (static_cast<Eigen::Index>(mechanism.bodies.size()) - 1), q, "q");
+}
+
+std::vector<Jet> jets_at_rest(const Mechanism& mechanism, const VectorXd& q) {
+  require_coordinates(mechanism, q);
+  return {q.begin(), q.end()};
 }
 
 std::vector<Jet> jets_of(const Mechanism& mechanism, const VectorXd& q, const VectorXd& qdot,
                          const VectorXd& qddot) {
-  require_numbers(mechanism, q, "q");
-  require_numbers(mechanism, qdot, "q'");
-  require_numbers(mechanism, qddot, "q''");
+  require_coordinates(mechanism, q);
+  require_numbers(q.size(), qdot, "q'");
+  require_numbers(q.size(), qddot, "q''");
   std::vector<Jet> jets;
   jets.reserve(static_cast<std::size_t>(q.size()));
   for (Eigen::Index k = 0; k < q.size(); ++k) jets.emplace_back(q[k], qdot[k], qddot[k]);
@@ -79,8 +90,8 @@ std::vector<PointState> point_states(const Mechanism& mechanism, const VectorXd&
 }
 
 Vector3d point_position(const Mechanism& mechanism, const PointOf& point, const VectorXd& q) {
-  const VectorXd rest = VectorXd::Zero(q.size());
-  return point_state(mechanism, point, q, rest, rest).position;
+  const std::vector<Jet> jets = jets_at_rest(mechanism, q);
+  return point_at(mechanism, point, {jets, Jet(0)}).position;
 }
 
 PointOf point_named(const Mechanism& mechanism, const std::string& name) {
@@ -96,11 +107,10 @@ PointOf point_named(const Mechanism& mechanism, const std::string& name) {
 }
 
 Matrix3d orientation(const Mechanism& mechanism, std::size_t body, const VectorXd& q) {
-  require_numbers(mechanism, q, "q");
+  const std::vector<Jet> jets = jets_at_rest(mechanism, q);
   if (body >= mechanism.bodies.size()) {
     throw InvalidInput("there is no body " + std::to_string(body) + ", counted from 0");
   }
-  const std::vector<Jet> jets(q.begin(), q.end());
   const At<Jet> at{jets, Jet(0)};
   Matrix3d R = Matrix3d::Identity();
   for (int k = 0; k < 3; ++k) {
@@ -120,10 +130,11 @@ Matrix3d joint_frame(const Vector3d& axis) { return spatial::axis_frame(axis); }
 
 std::optional<double> joint_coordinate(const Mechanism& mechanism, const Joint& joint,
                                        const VectorXd& q) {
-  const VectorXd rest = VectorXd::Zero(q.size());
-  const auto state = joint_state(mechanism, joint, q, rest, rest);
-  if (!state) return std::nullopt;
-  return is_angular(joint.type) ? within_half_turn(Jet(state->value)).f : state->value;
+  const std::vector<Jet> jets = jets_at_rest(mechanism, q);
+  require_ends(mechanism, joint);
+  const std::optional<Jet> coordinate = joint_jet(mechanism, joint, {jets, Jet(0)});
+  if (!coordinate) return std::nullopt;
+  return is_angular(joint.type) ? within_half_turn(Jet(coordinate->f)).f : coordinate->f;
 }
 
 std::optional<ScalarState> joint_state(const Mechanism& mechanism, const Joint& joint,
@@ -145,7 +156,7 @@ ScalarState turn_state(const Mechanism& mechanism, const Joint& joint, const Vec
 bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const VectorXd& q) {
   // Of the limits: a pose that stands at a stop is known to rounding, and stands there.
   constexpr double kAtStop = 1e-11;
-  require_numbers(mechanism, q, "q");
+  require_coordinates(mechanism, q);
   const auto value = joint.limits ? joint_coordinate(mechanism, joint, q) : std::nullopt;
   if (!value) return true;
   const auto [lower, upper] = *joint.limits;
@@ -160,7 +171,7 @@ bool is_within_limits(const Mechanism& mechanism, const Joint& joint, const Vect
 }
 
 const Joint* broken_limit(const Mechanism& mechanism, const VectorXd& q) {
-  require_numbers(mechanism, q, "q");
+  require_coordinates(mechanism, q);
   const auto at =
       std::find_if(mechanism.joints.begin(), mechanism.joints.end(),
                    [&](const Joint& joint) { return !is_within_limits(mechanism, joint, q); });

@@ -73,6 +73,42 @@ TEST(Monodromy, CountsConicsThatTouchConics) {
   }
 }
 
+TEST(Monodromy, DoesNotSayThatLoopsBroughtNothingNewWhereALimitEndedThem) {
+  const auto lanes = make_lane_tracker();
+  const Family unlearned = conics_that_touch(2);
+  const auto pair = random_pair(unlearned, 5);
+  ASSERT_TRUE(pair);
+  MonodromyOptions few_loops = with_seed(5);
+  few_loops.most_loops = 1;
+  MonodromyOptions few_roots = with_seed(5);
+  few_roots.most_roots = 2;
+  for (MonodromyOptions options : {few_loops, few_roots}) {
+    options.test = options.certify = false;  // exact algebra would count them
+    options.other_pairs = 0;
+    const Family family = learn_by_monodromy(unlearned, *pair, *lanes, options);
+    EXPECT_LT(family.roots.size(), 36u);
+    EXPECT_FALSE(family.learning.complete);
+    EXPECT_NE(family.learning.standing.find("until a limit of loops or roots ended them"),
+              std::string::npos)
+        << family.learning.standing;
+  }
+}
+
+TEST(Monodromy, MakesNoTraceTestWhereALimitEndedTheLoopsOnItsCurve) {
+  const auto lanes = make_lane_tracker();
+  const Family unlearned = conics_that_touch(2);
+  const auto pair = random_pair(unlearned, 5);
+  ASSERT_TRUE(pair);
+  MonodromyOptions options = with_seed(5);
+  options.test = false;
+  const Family family = learn_by_monodromy(unlearned, *pair, *lanes, options);
+  ASSERT_EQ(family.roots.size(), 36u);
+  options.most_roots = family.roots.size();
+  EXPECT_FALSE(trace_test(family, *lanes, options).was_made);
+  options.most_roots = 1000;
+  EXPECT_TRUE(trace_test(family, *lanes, options).holds);
+}
+
 TEST(Monodromy, FindsTheSameOnSeveralThreads) {
   const auto lanes = make_lane_tracker();
   const Family unlearned = conics_that_touch(1);

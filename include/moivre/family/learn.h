@@ -66,7 +66,7 @@ struct MonodromyOptions {
   int threads = 1;
   int quiet_loops = 10;  ///< without a new root, after which the search ends
   int most_loops = 1000;
-  std::size_t most_roots = 100'000;
+  std::size_t most_roots = 1'000'000;  ///< no further loop where there are more
   int other_pairs =
       20;  ///< random roots, which belong to another component where loops do not lead to them
   bool test = true;  ///< the trace test, where the roots are no more than `most_tested`
