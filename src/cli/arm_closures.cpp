@@ -333,6 +333,7 @@ int run_arm(const ArmRun& run, const Source& source) {
     }
   }
   report.total_s = watch.total();
+  line.end();
   const std::size_t asked = report.swept.empty() ? poses.size() : report.swept.size();
   const bool complete = is_complete(report) && report.results.size() == asked;
   return kept.deliver(

@@ -203,22 +203,22 @@ struct Computed {
 };
 
 Computed computed(const ClosuresCommand& command, const Mechanism& mechanism,
-                  const Tracker& tracker, double parse_s, KeptRun& kept) {
+                  const Tracker& tracker, double parse_s, KeptRun& kept,
+                  const std::atomic<bool>& stop) {
   ProgressLine line(!command.quiet);
   ClosureOptions options = options_of(command, line, kept);
   MechanismFamilies families(command.family, command.file, command.start.seed);
   options.starts = families.starts();
   const std::unique_ptr<Tracker> fallback = make_fallback(tracker_of(command));
   options.solve.fallback = fallback.get();
-  const Interruption interruption(command.time_limit);
   Computed result;
-  result.closures = find_closures(mechanism, tracker, options, interruption.stop());
+  result.closures = find_closures(mechanism, tracker, options, stop);
   result.closures.time_s.parse = parse_s;
   result.closures.time_s.total += parse_s;
-  if (!interruption.stop() || families.book().learned() > 0) families.keep();
+  if (!stop || families.book().learned() > 0) families.keep();
   result.sensitivities = asked_sensitivities(command, mechanism, result.closures);
-  result.motion = motion_for_page(result.closures, mechanism, command, tracker, options, line,
-                                  interruption.stop());
+  result.motion =
+      motion_for_page(result.closures, mechanism, command, tracker, options, line, stop);
   return result;
 }
 
@@ -267,8 +267,9 @@ int run(const ClosuresCommand& command) {
                   Output(command.html)};
   KeptRun kept(command.ledger, {command.file, command.arm.loops});
   if (const auto code = kept.deliver_again(outputs.in_order(), command.quiet)) return *code;
-  return write(command, mechanism, computed(command, mechanism, *tracker, parse_s, kept), outputs,
-               kept);
+  const Interruption interruption(command.time_limit);
+  const Computed found = computed(command, mechanism, *tracker, parse_s, kept, interruption.stop());
+  return write(command, mechanism, found, outputs, kept);
 }
 
 }  // namespace

@@ -58,6 +58,7 @@ struct FamilyScene {
   Output& json;
   Output& csv;
   KeptRun& kept;
+  ProgressLine& line;
   const std::atomic<bool>& stop;
 };
 
@@ -65,6 +66,7 @@ int solve_one(const FamilyScene& scene, const ParameterValues& p) {
   const FamilySolveCommand& command = scene.command;
   const SolveResult result =
       solve_member(scene.family, p, scene.tracker, scene.options, scene.stop);
+  scene.line.end();
   return scene.kept.deliver(
       {{&scene.json, [&] { return member_json(result, scene.family, p, command.file); }},
        {&scene.csv, [&] { return solve_csv(result); }}},
@@ -81,6 +83,7 @@ int solve_table(const FamilyScene& scene, const std::vector<Point>& members) {
   const Stopwatch watch;
   const std::vector<MemberRoots> roots =
       solve_members(scene.family, members, scene.tracker, scene.options, scene.stop);
+  scene.line.end();
   MembersRun run{scene.family,
                  members,
                  roots,
@@ -136,7 +139,8 @@ int run(const FamilySolveCommand& command) {
     };
   }
   const Interruption interruption(command.time_limit);
-  const FamilyScene scene{command, family, *tracker, options, json, csv, kept, interruption.stop()};
+  const FamilyScene scene{command, family, *tracker,           options, json, csv,
+                          kept,    line,   interruption.stop()};
   return command.table.empty() ? solve_one(scene, p) : solve_table(scene, members);
 }
 

@@ -40,6 +40,7 @@ int run(const InfoCommand& command) {
   const Interruption interruption(command.time_limit);
   options.stop = &interruption.stop();
   const SystemInfo info = inspect(f, options);
+  line.end();
   deliver({{&json, [&] { return info_json(info, command.file); }}}, command.quiet,
           [&] { return info_text(info, command.file); });
   if (!interruption.stop()) return kDecided;

@@ -8,8 +8,10 @@
 #include <cerrno>
 #include <cmath>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <new>
 
 #include "memory.h"
@@ -24,9 +26,11 @@ std::atomic<bool> interrupted{false};
 std::atomic<Reason> stop_reason{Reason::none};
 std::atomic<bool> signalled{false};
 std::atomic<bool> is_writing{false};
-std::atomic<bool> writing_interrupted{false};
+// When a signal came since the writing began, by now_ms(); 0: none did.
+std::atomic<std::int64_t> writing_interrupted_at{0};
 std::atomic<void*> reserve{nullptr};
-static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<Reason>::is_always_lock_free,
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<Reason>::is_always_lock_free &&
+                  std::atomic<std::int64_t>::is_always_lock_free,
               "a signal handler may touch nothing else");
 
 // A limit of the size of files fails writes, and ends no program.
@@ -36,6 +40,8 @@ constexpr int kSignals[]{SIGINT, SIGTERM, SIGHUP};
 constexpr std::size_t kReserve = std::size_t{32} << 20;
 // Processor time, of all threads: who takes memory works.
 constexpr double kLook = 0.05;
+// Results that take no longer are not lost to a signal.
+constexpr std::int64_t kTimeToWriteMs = 800;
 // What a run has in memory is told with less than a third of it again; of little of it the reserve
 // is enough.
 constexpr std::uint64_t kShareToTell = 3;
@@ -47,9 +53,18 @@ void ask_to_stop(Reason why) {
   interrupted.store(true, std::memory_order_relaxed);
 }
 
+/// Above 0. Signal handlers ask it too.
+std::int64_t now_ms() {
+  struct timespec now = {};
+  ::clock_gettime(CLOCK_MONOTONIC, &now);
+  return std::int64_t{1000} * now.tv_sec + now.tv_nsec / 1'000'000 + 1;
+}
+
 void note_signal(int signal) {
   const bool is_first = !signalled.exchange(true);
-  const bool is_first_of_writing = is_writing && !writing_interrupted.exchange(true);
+  std::int64_t none = 0;
+  const bool is_first_of_writing =
+      is_writing && writing_interrupted_at.compare_exchange_strong(none, now_ms());
   if (is_first || is_first_of_writing) return ask_to_stop(Reason::signal);
   std::signal(signal, SIG_DFL);
   std::raise(signal);
@@ -111,7 +126,8 @@ void catch_signal(int signal, void (*handler)(int)) {
 
 Interruption::Interruption(std::optional<double> seconds)
     : seconds_(process_role().tells ? seconds : std::nullopt) {
-  interrupted = writing_interrupted = signalled = false;
+  interrupted = signalled = false;
+  writing_interrupted_at = 0;
   stop_reason = Reason::none;
   for (const int signal : kSignals) catch_signal(signal, note_signal);
   std::signal(kIgnored, SIG_IGN);
@@ -149,12 +165,15 @@ void stop_run() { ask_to_stop(Reason::ledger); }
 bool is_asked_to_stop() { return interrupted; }
 
 Writing::Writing() {
-  writing_interrupted = false;
+  writing_interrupted_at = 0;
   is_writing = true;
 }
 
 Writing::~Writing() { is_writing = false; }
 
-bool is_writing_interrupted() { return writing_interrupted; }
+bool is_writing_interrupted() {
+  const std::int64_t at = writing_interrupted_at;
+  return at != 0 && now_ms() - at > kTimeToWriteMs;
+}
 
 }  // namespace moivre

@@ -12,7 +12,8 @@
 //
 // There is no thread that watches: beside a second thread each allocation takes locks.
 //
-// While results are written a signal gives the writing up (is_writing_interrupted()).
+// While results are written a signal gives up what is not written within a second from then
+// (is_writing_interrupted()).
 #pragma once
 
 #include <atomic>
@@ -49,7 +50,7 @@ class Writing {
   Writing& operator=(const Writing&) = delete;
 };
 
-/// Whether a signal came since the writing began.
+/// Whether a signal came since the writing began, so long ago that it is to end.
 bool is_writing_interrupted();
 
 }  // namespace moivre

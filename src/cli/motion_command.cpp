@@ -180,15 +180,15 @@ MotionOptions options_of(const MotionCommand& command, const Mechanism& mechanis
 }
 
 MotionResult computed(const MotionCommand& command, const Mechanism& mechanism,
-                      const Tracker& tracker, MotionOptions options, double parse_s) {
+                      const Tracker& tracker, MotionOptions options, double parse_s,
+                      const std::atomic<bool>& stop) {
   const std::unique_ptr<Tracker> fallback = make_fallback(command.tracker);
   options.solve.fallback = fallback.get();
   options.asked = command.closures;
-  const Interruption interruption(command.time_limit);
-  MotionResult result = moved(mechanism, command, tracker, options, interruption.stop());
+  MotionResult result = moved(mechanism, command, tracker, options, stop);
   result.time_s.parse = parse_s;
   result.time_s.total += parse_s;
-  if (command.closures.empty() || interruption.stop()) return result;
+  if (command.closures.empty() || stop) return result;
   const Circuits circuits = find_circuits(mechanism, result);
   return reachable_from(std::move(result), circuits, command.closures);
 }
@@ -237,10 +237,13 @@ int run(const MotionCommand& command) {
   Outputs outputs{Output(command.json), Output(command.csv), Output(command.svg),
                   Output(command.html)};
   if (const auto code = kept.deliver_again(outputs.in_order(), command.quiet)) return *code;
-  const MotionResult result = computed(command, mechanism, *tracker, options, parse_s);
+  const Interruption interruption(command.time_limit);
+  const MotionResult result =
+      computed(command, mechanism, *tracker, options, parse_s, interruption.stop());
   const bool tells_extremes = !command.quiet || outputs.json.is_wanted();
   std::optional<Readings> readings;
   if (reader) readings = read_motion(result, mechanism, *reader, tells_extremes);
+  line.end();
   return write(command, mechanism, result, readings ? &*readings : nullptr, outputs, kept);
 }
 

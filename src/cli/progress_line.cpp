@@ -26,13 +26,17 @@ std::string text_of(const Progress& progress, double seconds) {
   }
   const std::string text = std::to_string(progress.done) + " of " + std::to_string(progress.total) +
                            " paths, " + std::to_string(progress.finite) + " finite, ";
-  if (progress.done >= progress.total) return text + "settling what is open";
+  if (progress.is_settling || progress.done >= progress.total) {
+    return text + "settling what is open";
+  }
   char rate[32];
   std::snprintf(rate, sizeof rate, "%.3g", static_cast<double>(progress.done) / seconds);
   return text + rate + " a second";
 }
 
+/// 0: nobody knows.
 double done_of(const Progress& progress) {
+  if (progress.is_settling) return 0;
   if (progress.search) return *progress.search;
   return static_cast<double>(progress.done) /
          static_cast<double>(std::max<std::uint64_t>(1, progress.total));
@@ -50,18 +54,22 @@ ProgressLine::ProgressLine(bool wanted)
   }
 }
 
-ProgressLine::~ProgressLine() {
+ProgressLine::~ProgressLine() { end(); }
+
+void ProgressLine::end() {
   {
     const std::lock_guard lock(mutex_);
+    active_ = false;
     is_over_ = true;
   }
   wake_.notify_one();
   if (seconds_.joinable()) seconds_.join();
   if (shown_) std::fputs("\r\x1b[K", stderr);
+  shown_ = false;
 }
 
 void ProgressLine::show(const Progress& progress) {
-  if (!active_ || !is_due()) return;
+  if (!active_ || !(progress.is_settling || is_due())) return;
   const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
   show(text_of(progress, seconds), done_of(progress));
 }
@@ -69,10 +77,11 @@ void ProgressLine::show(const Progress& progress) {
 void ProgressLine::show(const std::string& text, double done) {
   const std::lock_guard lock(mutex_);
   const Clock::time_point now = Clock::now();
-  if (!active_ || now < next_) return;
+  if (!active_) return;
   text_ = text;
+  if (done_ != done) done_since_ = now;
   done_ = done;
-  draw(now);
+  if (now >= next_) draw(now);
 }
 
 bool ProgressLine::is_due() {
@@ -83,12 +92,16 @@ bool ProgressLine::is_due() {
 void ProgressLine::draw(Clock::time_point now) {
   next_ = now + kPeriod;
   shown_ = true;
-  const double seconds = std::chrono::duration<double>(now - begin_).count();
+  const auto seconds_to = [this](Clock::time_point end) {
+    return std::chrono::duration<double>(end - begin_).count();
+  };
+  const double seconds = seconds_to(now);
   std::string left;
   if (done_ > 0 && done_ < 1) {
+    const double foretold = seconds_to(done_since_) / done_;
     char number[48];
-    std::snprintf(number, sizeof number, ", about %.0f s left", seconds * (1 - done_) / done_);
-    left = number;
+    std::snprintf(number, sizeof number, ", about %.0f s left", foretold - seconds);
+    if (foretold > seconds) left = number;
   }
   std::fprintf(stderr, "\r%s, %.0f s%s\x1b[K", text_.c_str(), seconds, left.c_str());
   std::fflush(stderr);

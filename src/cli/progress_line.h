@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How far is the run? One line on a terminal's stderr, from the first second on, erased at the end.
 //
-// Its seconds go on where nothing new is told: long work between two reports is seen to go on.
+// Its seconds go on where nothing new is told: long work between two reports is seen to go on. How
+// many are left is what the share of the work that is done foretold; nothing when these are over.
 #pragma once
 
 #include <chrono>
@@ -27,6 +28,8 @@ class ProgressLine {
   /// The same with a text of one's own; seconds are added, and how many are left by the share of
   /// the work that is done.
   void show(const std::string& text, double done = 0);
+  /// Erases it for good: before results are told. So does the destructor.
+  void end();
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -44,6 +47,7 @@ class ProgressLine {
   Clock::time_point next_;
   std::string text_;
   double done_ = 0;
+  Clock::time_point done_since_ = begin_;
   std::condition_variable wake_;
   std::thread seconds_;
 };

@@ -113,6 +113,7 @@ int run(const SweepCommand& command) {
   const SweepResult result = sweep(mechanism, varied_of(command.vary), *tracker, families.book(),
                                    options, interruption.stop());
   if (!interruption.stop() || families.book().learned() > 0) families.keep();
+  line.end();
   return kept.deliver(
       {{&json, [&] { return sweep_json(result, command.file, mechanism.warnings); }},
        {&csv, [&] { return sweep_csv(result); }},

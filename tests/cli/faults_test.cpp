@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Does the program end whole where the machine gives no more: time, memory, room on the disk, a
 // terminal?
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/inotify.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -11,6 +13,8 @@
 #include <csignal>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
@@ -239,6 +243,68 @@ TEST(Faults, ARunThatIsKilledWhileItWritesLeavesNoDraft) {
   EXPECT_FALSE(contains(scene.listing(), ".moivre-")) << scene.listing();
 }
 
+// A signal ends the writing within a second: results that take no longer are whole, others are not
+// there.
+TEST(Faults, ASignalWhileResultsAreWrittenLeavesThemWholeOrNotThere) {
+  const Scene scene;
+  const std::string four_bar =
+      std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/four-bar.toml";
+  const Outcome outcome =
+      scene.run({"motion", four_bar, "--steps", "20000", "--quiet", "--json", "m.json"}, false,
+                [](int process) {
+                  EXPECT_TRUE(catches_interrupt(process));
+                  EXPECT_TRUE(has_begun_to_write(process)) << "it ended before";
+                  ::kill(process, SIGTERM);
+                });
+  if (outcome.exit_code == 1) {
+    EXPECT_EQ(outcome.err, "moivre: interrupted: m.json was not written\n");
+    EXPECT_FALSE(scene.has("m.json"));
+  } else {
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(Json::parse(scene.read("m.json"))["complete"], true);
+  }
+}
+
+TEST(Faults, AReaderThatStandsStillDoesNotHoldARunThatIsInterrupted) {
+  const Scene scene;
+  const std::string four_bar =
+      std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/four-bar.toml";
+  const std::string pipe = scene.path("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  const Outcome outcome =
+      scene.run({"motion", four_bar, "--steps", "2000", "--quiet", "--json", "pipe"}, false,
+                [reader](int process) {
+                  std::array<char, 1 << 16> piece{};
+                  ssize_t length = -1;
+                  while (has_worked(process, 0) && length <= 0) {
+                    length = ::read(reader, piece.data(), piece.size());
+                  }
+                  ::kill(process, SIGTERM);
+                  std::this_thread::sleep_for(std::chrono::seconds(1));
+                  while (has_worked(process, 0))
+                    length = ::read(reader, piece.data(), piece.size());
+                });
+  ::close(reader);
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "moivre: interrupted: pipe was not written\n")) << outcome.err;
+}
+
+// Behind the last path, where what is open is settled by many more solves.
+TEST(Faults, SettlingEndsWhereItIsInterrupted) {
+  const Scene scene;
+  const std::string hc574 = std::string(MOIVRE_SOURCE_DIR) + "/problems/people/undecided-hc574.phc";
+  const Outcome outcome =
+      scene.run_until({"solve", hc574, "--tracker", "lanes", "--threads", "1", "--json", "f.json"},
+                      "settling what is open", SIGTERM);
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  const Json json = Json::parse(scene.read("f.json"));
+  EXPECT_EQ(json["complete"], false);
+  EXPECT_EQ(json["message"], kInterrupted);
+  EXPECT_LT(outcome.after_signal, 10);  // seconds, of a machine that may be busy
+}
+
 /// The program gets no more address space than this.
 std::function<void(int)> limit_memory(rlim_t bytes) {
   return [bytes](int process) {
@@ -275,6 +341,75 @@ TEST(Faults, NoLimitOfMemoryEndsARunWithoutAWord) {
     EXPECT_TRUE(Json::accept(scene.read("f.json"))) << megabytes;
   }
   EXPECT_GT(told, 0);
+}
+
+TEST(Faults, NoLimitOfMemoryEndsACheckWithoutAWord) {
+  const Scene scene;
+  scene.write("f.phc", katsura(11));
+  ASSERT_EQ(
+      scene.run({"solve", "f.phc", "--tracker", "lanes", "--quiet", "--json", "f.json"}).exit_code,
+      0);
+  int judged = 0;
+  for (rlim_t megabytes = 60; megabytes <= 300; megabytes += 20) {
+    const Outcome outcome =
+        scene.run({"check", "f.phc", "f.json"}, false, limit_memory(megabytes << 20));
+    EXPECT_NE(outcome.exit_code, -1) << megabytes << outcome.err;
+    if (outcome.exit_code == 0) {
+      ++judged;
+    } else {
+      EXPECT_FALSE(outcome.err.empty()) << megabytes;
+    }
+  }
+  EXPECT_GT(judged, 0);
+}
+
+TEST(Faults, AResultOfMoreThan256MegabytesIsChecked) {
+  const Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  ASSERT_EQ(scene.run({"solve", "f.phc", "--quiet", "--json", "f.json"}).exit_code, 0);
+  std::string json = scene.read("f.json");
+  const std::size_t end = json.rfind('}');
+  ASSERT_NE(end, std::string::npos);
+  json.insert(end, std::string(std::size_t{257} << 20, ' '));
+  scene.write("f.json", json);
+  const Outcome outcome = scene.run({"check", "f.phc", "f.json"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+}
+
+/// What the process has had in memory at most, in bytes, as long as it can be asked.
+std::size_t peak_of(int process) {
+  std::size_t kilobytes = 0;
+  while (has_worked(process, 0)) {
+    std::ifstream status("/proc/" + std::to_string(process) + "/status");
+    for (std::string word; status >> word;) {
+      if (word == "VmHWM:") status >> kilobytes;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  return kilobytes << 10;
+}
+
+// docs/long-runs.md: about 0.31 kB + 20 n bytes of each root, 16 bytes of each path.
+TEST(Faults, ARootTakesAsMuchMemoryAsIsPromised) {
+  const Scene scene;
+  const auto squares = [](int n) {
+    std::string text = std::to_string(n) + "\n";
+    for (int k = 1; k <= n; ++k) text += "x" + std::to_string(k) + "^2 - 1;\n";
+    return text;
+  };
+  scene.write("few.phc", squares(10));
+  scene.write("many.phc", squares(15));
+  std::map<std::string, std::size_t> peak;
+  for (const std::string system : {"few", "many"}) {
+    const Outcome outcome = scene.run({"solve", system + ".phc", "--tracker", "lanes", "--threads",
+                                       "1", "--quiet", "--json", "f.json", "--csv", "f.csv"},
+                                      false, [&](int process) { peak[system] = peak_of(process); });
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  }
+  const double roots = (1 << 15) - (1 << 10);
+  const double a_root = static_cast<double>(peak["many"] - peak["few"]) / roots;
+  constexpr double kPromised = 310 + 20 * 15 + 16;
+  EXPECT_LT(a_root, 1.25 * kPromised);  // the smaller system's pages are a part of it
 }
 
 }  // namespace

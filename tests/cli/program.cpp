@@ -13,6 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -106,14 +107,17 @@ Outcome Scene::run(const std::vector<std::string>& arguments, bool terminal,
 
 Outcome Scene::run_until(const std::vector<std::string>& arguments, const std::string& wanted,
                          int signal) const {
-  bool is_sent = false;
-  return run_in(
+  using Clock = std::chrono::steady_clock;
+  std::optional<Clock::time_point> sent;
+  Outcome outcome = run_in(
       MOIVRE_PROGRAM, arguments, true, [](int) {},
       [&](int process, const std::string& text) {
-        if (is_sent || !contains(text, wanted)) return;
+        if (sent || !contains(text, wanted)) return;
         ::kill(process, signal);
-        is_sent = true;
+        sent = Clock::now();
       });
+  if (sent) outcome.after_signal = std::chrono::duration<double>(Clock::now() - *sent).count();
+  return outcome;
 }
 
 Outcome Scene::run_program(const std::string& program, const std::vector<std::string>& arguments,

@@ -13,6 +13,7 @@ struct Outcome {
   int exit_code = -1;  ///< -1 when a signal ended the program
   std::string out;
   std::string err;
+  double after_signal = 0;  ///< seconds from the signal of run_until() to the end
 };
 
 /// A folder for one test, with the files that it writes.

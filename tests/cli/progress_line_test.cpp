@@ -72,5 +72,38 @@ TEST(ProgressLine, ItsSecondsGoOnWhereNothingIsTold) {
   EXPECT_TRUE(terminal.read(kLongest).ends_with("\r\x1b[K"));
 }
 
+TEST(ProgressLine, TellsNoTimeLeftWhereTheTimeItForetoldIsOver) {
+  Terminal terminal;
+  if (!terminal.is_open()) GTEST_SKIP() << "no terminal can be had";
+  ProgressLine line(true);
+  Progress progress;
+  progress.done = 999'999;
+  progress.total = 1'000'000;
+  std::string seen;
+  while (seen.empty()) {
+    line.show(progress);
+    seen = terminal.read(50);
+  }
+  EXPECT_NE(seen.find("about 0 s left"), std::string::npos) << seen;
+  const std::string next = terminal.read(kLongest);
+  EXPECT_NE(next.find("999999 of 1000000 paths"), std::string::npos) << next;
+  EXPECT_EQ(next.find("left"), std::string::npos) << next;
+}
+
+TEST(ProgressLine, IsErasedForGoodBeforeResultsAreTold) {
+  Terminal terminal;
+  if (!terminal.is_open()) GTEST_SKIP() << "no terminal can be had";
+  ProgressLine line(true);
+  std::string seen;
+  while (seen.empty()) {
+    line.show("7 loops", 0.5);
+    seen = terminal.read(50);
+  }
+  line.end();
+  EXPECT_TRUE(terminal.read(kLongest).ends_with("\r\x1b[K"));
+  line.show("8 loops", 0.75);
+  EXPECT_EQ(terminal.read(1500), "");
+}
+
 }  // namespace
 }  // namespace moivre::test
