@@ -18,6 +18,11 @@ constexpr std::chrono::seconds kPatience{1};
 constexpr std::chrono::milliseconds kPeriod{100};
 constexpr std::chrono::seconds kTick{1};
 
+/// Long work, maybe, without another report.
+bool is_settling(const Progress& progress) {
+  return progress.is_settling || (!progress.search && progress.done >= progress.total);
+}
+
 std::string text_of(const Progress& progress, double seconds) {
   if (progress.search) {
     const int percent = static_cast<int>(100 * *progress.search);
@@ -26,9 +31,7 @@ std::string text_of(const Progress& progress, double seconds) {
   }
   const std::string text = std::to_string(progress.done) + " of " + std::to_string(progress.total) +
                            " paths, " + std::to_string(progress.finite) + " finite, ";
-  if (progress.is_settling || progress.done >= progress.total) {
-    return text + "settling what is open";
-  }
+  if (is_settling(progress)) return text + "settling what is open";
   char rate[32];
   std::snprintf(rate, sizeof rate, "%.3g", static_cast<double>(progress.done) / seconds);
   return text + rate + " a second";
@@ -36,7 +39,7 @@ std::string text_of(const Progress& progress, double seconds) {
 
 /// 0: nobody knows.
 double done_of(const Progress& progress) {
-  if (progress.is_settling) return 0;
+  if (is_settling(progress)) return 0;
   if (progress.search) return *progress.search;
   return static_cast<double>(progress.done) /
          static_cast<double>(std::max<std::uint64_t>(1, progress.total));
@@ -69,7 +72,7 @@ void ProgressLine::end() {
 }
 
 void ProgressLine::show(const Progress& progress) {
-  if (!active_ || !(progress.is_settling || is_due())) return;
+  if (!active_ || !(is_settling(progress) || is_due())) return;
   const double seconds = std::chrono::duration<double>(Clock::now() - begin_).count();
   show(text_of(progress, seconds), done_of(progress));
 }
