@@ -6,18 +6,19 @@
 #include "moivre/arm_report/arm_report.h"
 #include "moivre/report/csv_cell.h"
 #include "moivre/report/number_text.h"
+#include "moivre/report/text_pieces.h"
 
 namespace moivre {
 
-std::string arm_csv(const ArmReport& report, bool in_degrees) {
+void write_arm_csv(const TextSink& sink, const ArmReport& report, bool in_degrees) {
   const std::string unit = in_degrees ? " [deg]" : " [rad]";
-  std::string text =
-      "pose,id,path,residual,newton_iterations,smallest_singular_value,within_limits";
+  TextPieces text(sink);
+  text += "pose,id,path,residual,newton_iterations,smallest_singular_value,within_limits";
   for (const ArmJoint& joint : report.arm.joints) {
     text += ',' + csv_cell(joint.name + (joint.is_slide ? "" : unit));
   }
   if (const auto swept = swept_joint(report, 0)) text += ',' + csv_cell(swept->name + " held");
-  text += '\n';
+  text += "\n";
   const auto add_line = [&](std::size_t pose, const ArmClosure& closure,
                             const Eigen::VectorXd& values) {
     text += std::to_string(pose) + ',' + closure.id + ',' + std::to_string(closure.path) + ',' +
@@ -30,14 +31,18 @@ std::string arm_csv(const ArmReport& report, bool in_degrees) {
       text += ',' + exact_text(turns ? value * 180 / std::numbers::pi : value);
     }
     if (const auto swept = swept_joint(report, pose)) text += ',' + exact_text(swept->value);
-    text += '\n';
+    text += "\n";
   };
   for (std::size_t pose = 0; pose < report.results.size(); ++pose) {
     for (const ListedPosture& line : listed(report, report.results[pose])) {
       add_line(pose, *line.closure, line.values);
     }
   }
-  return text;
+  text.flush();
+}
+
+std::string arm_csv(const ArmReport& report, bool in_degrees) {
+  return whole_text([&](const TextSink& sink) { write_arm_csv(sink, report, in_degrees); });
 }
 
 }  // namespace moivre

@@ -6,6 +6,8 @@
 #include "moivre/arms/posture.h"
 #include "moivre/arms/turns.h"
 #include "moivre/report/json.h"
+#include "moivre/report/json_writer.h"
+#include "moivre/report/text_pieces.h"
 
 namespace moivre {
 namespace {
@@ -161,6 +163,15 @@ void add_result(const ArmResult& result, const Arm& arm, const ArmReport& report
   json["left_out"] = to_json(result.left_out);
 }
 
+Json pose_of_list(const ArmReport& report, std::size_t k) {
+  Json pose = {{"pose", k}};
+  if (const auto swept = swept_joint(report, k)) {
+    pose["held"] = {{swept->name, to_json(swept->value)}};
+  }
+  add_result(report.results[k], arm_of(report, k), report, pose);
+  return pose;
+}
+
 }  // namespace
 
 const Arm& arm_of(const ArmReport& report, std::size_t k) {
@@ -177,20 +188,12 @@ bool is_complete(const ArmReport& report) {
                      [](const ArmResult& result) { return result.complete; });
 }
 
-std::string arm_json(const ArmReport& report) {
+void write_arm_json(const TextSink& sink, const ArmReport& report) {
   const Arm& arm = report.arm;
   const ArmResult first = report.results.empty() ? ArmResult{} : report.results.front();
-  Json json = report_head("closures", report.file);
-  json["seed"] = first.seed;
-  json["robot"] = arm.robot;
-  json["base"] = arm.base;
-  json["tip"] = arm.tip;
-  json["joints"] = list_json(arm.joints, joint_json);
-  json["held"] = Json::object();
-  for (const HeldJoint& joint : arm.held) json["held"][joint.name] = to_json(joint.value);
-  if (const auto swept = swept_joint(report, 0)) json["held"].erase(swept->name);
-  json["units"] = {{"length", "m"}, {"angle", "rad"}};
-  json["tracker"] = tracker_json(first.tracker, first.tracker_options);
+  Json held = Json::object();
+  for (const HeldJoint& joint : arm.held) held[joint.name] = to_json(joint.value);
+  if (const auto swept = swept_joint(report, 0)) held.erase(swept->name);
   StepCount work;
   SolveTime time;
   for (const ArmResult& result : report.results) {
@@ -200,26 +203,36 @@ std::string arm_json(const ArmReport& report) {
     time.track_cpu += result.time_s.track_cpu;
     time.refine += result.time_s.refine;
   }
-  if (report.is_list) {
-    json["complete"] = is_complete(report);
-    json["poses"] = Json::array();
-    for (std::size_t k = 0; k < report.results.size(); ++k) {
-      Json pose = {{"pose", k}};
-      if (const auto swept = swept_joint(report, k)) {
-        pose["held"] = {{swept->name, to_json(swept->value)}};
-      }
-      add_result(report.results[k], arm_of(report, k), report, pose);
-      json["poses"].push_back(std::move(pose));
-    }
-  } else {
-    add_result(first, arm, report, json);
-  }
   time.threads = first.time_s.threads;
   time.parse = report.parse_s;
   time.total = report.total_s;
-  json["work"] = work_json(work);
-  json["time_s"] = to_json(time);
-  return to_text(json);
+  write_json(sink, [&](JsonWriter& json) {
+    json.members(report_head("closures", report.file));
+    json.member("seed", first.seed);
+    json.member("robot", arm.robot);
+    json.member("base", arm.base);
+    json.member("tip", arm.tip);
+    json.member("joints", list_json(arm.joints, joint_json));
+    json.member("held", held);
+    json.member("units", {{"length", "m"}, {"angle", "rad"}});
+    json.member("tracker", tracker_json(first.tracker, first.tracker_options));
+    if (report.is_list) {
+      json.member("complete", is_complete(report));
+      std::size_t number = 0;
+      json.list("poses", report.results,
+                [&](const ArmResult&) { return pose_of_list(report, number++); });
+    } else {
+      Json result = Json::object();
+      add_result(first, arm, report, result);
+      json.members(result);
+    }
+    json.member("work", work_json(work));
+    json.member("time_s", to_json(time));
+  });
+}
+
+std::string arm_json(const ArmReport& report) {
+  return whole_text([&](const TextSink& sink) { write_arm_json(sink, report); });
 }
 
 }  // namespace moivre

@@ -337,8 +337,8 @@ int run_arm(const ArmRun& run, const Source& source) {
   const std::size_t asked = report.swept.empty() ? poses.size() : report.swept.size();
   const bool complete = is_complete(report) && report.results.size() == asked;
   return kept.deliver(
-      {{&json, [&] { return arm_json(report); }},
-       {&csv, [&] { return arm_csv(report, run.in_degrees); }},
+      {{&json, [&](const TextSink& sink) { write_arm_json(sink, report); }},
+       {&csv, [&](const TextSink& sink) { write_arm_csv(sink, report, run.in_degrees); }},
        {&svg,
         [&] {
           return arm_svg(report, run.in_degrees, run.three_views ? Views::three : Views::standing);

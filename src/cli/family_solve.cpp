@@ -94,8 +94,8 @@ int solve_table(const FamilyScene& scene, const std::vector<Point>& members) {
                  scene.options.threads,
                  watch.total()};
   return scene.kept.deliver(
-      {{&scene.json, [&] { return members_json(run); }},
-       {&scene.csv, [&] { return members_csv(run); }}},
+      {{&scene.json, [&](const TextSink& sink) { write_members_json(sink, run); }},
+       {&scene.csv, [&](const TextSink& sink) { write_members_csv(sink, run); }}},
       command.quiet, [&] { return members_text(run); },
       is_complete(run) ? "" : "some members are not decided",
       is_complete(run) ? kDecided : kUndecided);

@@ -3,6 +3,7 @@
 #include "joint_values.h"
 #include "moivre/closure_report/closure_report.h"
 #include "moivre/report/json_writer.h"
+#include "moivre/report/text_pieces.h"
 #include "pose_json.h"
 #include "sensitivity_json.h"
 
@@ -133,10 +134,9 @@ void write_closures_json(const TextSink& sink, const ClosureResult& result,
 
 std::string closures_json(const ClosureResult& result, const Mechanism& mechanism,
                           const std::string& file, const Sensitivities* sensitivities) {
-  std::string text;
-  write_closures_json([&text](std::string_view piece) { text += piece; }, result, mechanism, file,
-                      sensitivities);
-  return text;
+  return whole_text([&](const TextSink& sink) {
+    write_closures_json(sink, result, mechanism, file, sensitivities);
+  });
 }
 
 }  // namespace moivre

@@ -7,6 +7,7 @@
 #include "moivre/mechanism/phi.h"
 #include "moivre/mechanism/pose.h"
 #include "moivre/report/json_writer.h"
+#include "moivre/report/text_pieces.h"
 #include "pose_json.h"
 #include "readings_parts.h"
 #include "shown_angles.h"
@@ -199,10 +200,9 @@ void write_motion_json(const TextSink& sink, const MotionResult& result, const M
 
 std::string motion_json(const MotionResult& result, const Mechanism& mechanism,
                         const std::string& file, const AngleForm& form, const Readings* readings) {
-  std::string text;
-  write_motion_json([&text](std::string_view piece) { text += piece; }, result, mechanism, file,
-                    form, readings);
-  return text;
+  return whole_text([&](const TextSink& sink) {
+    write_motion_json(sink, result, mechanism, file, form, readings);
+  });
 }
 
 }  // namespace moivre

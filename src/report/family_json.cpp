@@ -2,7 +2,9 @@
 // A family and its members as JSON and CSV.
 #include "moivre/report/family_report.h"
 #include "moivre/report/json.h"
+#include "moivre/report/json_writer.h"
 #include "moivre/report/number_text.h"
+#include "moivre/report/text_pieces.h"
 
 namespace moivre {
 namespace {
@@ -57,6 +59,42 @@ Json root_json(const MemberRoot& root) {
           {"certified", root.certified ? Json(*root.certified) : Json()}};
 }
 
+Json member_of_run(const MembersRun& run, std::size_t k) {
+  const MemberRoots& member = run.roots[k];
+  return {
+      {"at", at_json(run.family, run.members[k])},
+      {"complex", member.roots.size()},
+      {"real", member.real_count()},
+      {"at_infinity", member.at_infinity},
+      {"failed", member.failed},
+      {"not_needed", member.not_needed},
+      {"complete", member.complete},
+      {"completeness", member.completeness ? Json(to_string(*member.completeness)) : Json(nullptr)},
+      {"judged", member.judged},
+      {"solutions", list_json(member.roots, root_json)}};
+}
+
+std::string lines_of_member(const MembersRun& run, std::size_t k) {
+  std::string head = std::to_string(k);
+  for (const Complex& value : run.members[k]) {
+    head += ',' + exact_text(value.real());
+    if (value.imag() == 0) continue;
+    head += (value.imag() < 0 ? "" : "+") + exact_text(value.imag()) + "*i";
+  }
+  std::string text;
+  for (std::size_t r = 0; r < run.roots[k].roots.size(); ++r) {
+    const MemberRoot& root = run.roots[k].roots[r];
+    text += head + ',' + std::to_string(r) + (root.real ? ",1," : ",0,") +
+            (root.singular ? "1," : "0,") + std::to_string(root.multiplicity) + ',' +
+            exact_text(root.accuracy);
+    for (const Complex& xj : root.x) {
+      text += ',' + exact_text(xj.real()) + ',' + exact_text(xj.imag());
+    }
+    text += '\n';
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string family_report_json(const FamilyFile& file, const std::string& name,
@@ -81,60 +119,39 @@ std::string member_json(const SolveResult& result, const Family& family, const P
   return to_text(report);
 }
 
-std::string members_json(const MembersRun& run) {
-  Json report = report_head("family solve", run.name);
-  report["table"] = run.table;
-  report["complete"] = is_complete(run);
-  report["generic_roots"] = run.family.roots.size();
-  report["unknowns"] = run.family.unknown_names();
-  report["tracker"] = tracker_json(run.tracker, run.tracker_options);
-  Json members = Json::array();
-  for (std::size_t k = 0; k < run.members.size(); ++k) {
-    const MemberRoots& member = run.roots[k];
-    members.push_back({{"at", at_json(run.family, run.members[k])},
-                       {"complex", member.roots.size()},
-                       {"real", member.real_count()},
-                       {"at_infinity", member.at_infinity},
-                       {"failed", member.failed},
-                       {"not_needed", member.not_needed},
-                       {"complete", member.complete},
-                       {"completeness", member.completeness ? Json(to_string(*member.completeness))
-                                                            : Json(nullptr)},
-                       {"judged", member.judged},
-                       {"solutions", list_json(member.roots, root_json)}});
-  }
-  report["members"] = members;
-  report["time_s"] = {{"threads", run.threads}, {"total", to_json(run.seconds)}};
-  return to_text(report);
+void write_members_json(const TextSink& sink, const MembersRun& run) {
+  write_json(sink, [&](JsonWriter& report) {
+    report.members(report_head("family solve", run.name));
+    report.member("table", run.table);
+    report.member("complete", is_complete(run));
+    report.member("generic_roots", run.family.roots.size());
+    report.member("unknowns", run.family.unknown_names());
+    report.member("tracker", tracker_json(run.tracker, run.tracker_options));
+    std::size_t number = 0;
+    report.list("members", run.members, [&](const Point&) { return member_of_run(run, number++); });
+    report.member("time_s", {{"threads", run.threads}, {"total", to_json(run.seconds)}});
+  });
 }
 
-std::string members_csv(const MembersRun& run) {
-  std::string text = "member";
+std::string members_json(const MembersRun& run) {
+  return whole_text([&](const TextSink& sink) { write_members_json(sink, run); });
+}
+
+void write_members_csv(const TextSink& sink, const MembersRun& run) {
+  TextPieces text(sink);
+  text += "member";
   for (const std::string& name : run.family.parameter_names()) text += ',' + name;
   text += ",root,real,singular,multiplicity,accuracy";
   for (const std::string& name : run.family.unknown_names()) {
     text += ',' + name + ".re," + name + ".im";
   }
-  text += '\n';
-  for (std::size_t k = 0; k < run.members.size(); ++k) {
-    std::string head = std::to_string(k);
-    for (const Complex& value : run.members[k]) {
-      head += ',' + exact_text(value.real());
-      if (value.imag() == 0) continue;
-      head += (value.imag() < 0 ? "" : "+") + exact_text(value.imag()) + "*i";
-    }
-    for (std::size_t r = 0; r < run.roots[k].roots.size(); ++r) {
-      const MemberRoot& root = run.roots[k].roots[r];
-      text += head + ',' + std::to_string(r) + (root.real ? ",1," : ",0,") +
-              (root.singular ? "1," : "0,") + std::to_string(root.multiplicity) + ',' +
-              exact_text(root.accuracy);
-      for (const Complex& xj : root.x) {
-        text += ',' + exact_text(xj.real()) + ',' + exact_text(xj.imag());
-      }
-      text += '\n';
-    }
-  }
-  return text;
+  text += "\n";
+  for (std::size_t k = 0; k < run.members.size(); ++k) text += lines_of_member(run, k);
+  text.flush();
+}
+
+std::string members_csv(const MembersRun& run) {
+  return whole_text([&](const TextSink& sink) { write_members_csv(sink, run); });
 }
 
 }  // namespace moivre

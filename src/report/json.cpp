@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "moivre/report/json_writer.h"
+#include "moivre/report/text_pieces.h"
 #include "moivre/report/version.h"
 
 namespace moivre {
@@ -167,10 +168,9 @@ const Json& SolutionJson::read(const Solution& solution) {
 }
 
 std::string to_text(const Json& report) {
-  std::string text;
-  write_json([&text](std::string_view piece) { text += piece; },
-             [&report](JsonWriter& writer) { writer.members(report); });
-  return text;
+  return whole_text([&](const TextSink& sink) {
+    write_json(sink, [&report](JsonWriter& writer) { writer.members(report); });
+  });
 }
 
 }  // namespace moivre

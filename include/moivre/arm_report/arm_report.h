@@ -18,6 +18,7 @@
 
 #include "moivre/arms/arm_closures.h"
 #include "moivre/closure_report/sheet.h"
+#include "moivre/report/text_sink.h"
 
 namespace moivre {
 
@@ -49,6 +50,9 @@ bool is_complete(const ArmReport& report);
 std::string arm_text(const ArmReport& report);
 std::string arm_json(const ArmReport& report);
 std::string arm_csv(const ArmReport& report, bool in_degrees);
+/// The same, pose by pose.
+void write_arm_json(const TextSink& sink, const ArmReport& report);
+void write_arm_csv(const TextSink& sink, const ArmReport& report, bool in_degrees);
 
 /// The skeletons of all closures of one pose, side by side from where they differ most, as a
 /// picture and as a page that the mouse turns. Throw std::invalid_argument where there are several

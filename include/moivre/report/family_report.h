@@ -43,5 +43,8 @@ bool is_complete(const MembersRun& run);
 std::string members_text(const MembersRun& run);
 std::string members_json(const MembersRun& run);
 std::string members_csv(const MembersRun& run);
+/// The same, member by member.
+void write_members_json(const TextSink& sink, const MembersRun& run);
+void write_members_csv(const TextSink& sink, const MembersRun& run);
 
 }  // namespace moivre
