@@ -21,6 +21,7 @@
 #include <thread>
 #include <vector>
 
+#include "moivre/expression/source.h"
 #include "problems.h"
 #include "program.h"
 
@@ -131,6 +132,46 @@ TEST(Faults, AFamilyThatIsHalfLearnedIsKept) {
   EXPECT_GT(family["roots"], 0);
   EXPECT_EQ(family["learning"]["complete"], false);
   EXPECT_TRUE(contains(family["learning"]["standing"], "interrupted after ")) << family;
+}
+
+/// A seven-link structure, and beside it a 3-RPR platform: a family each.
+std::string two_structures() {
+  const std::filesystem::path folder =
+      std::filesystem::path(MOIVRE_SOURCE_DIR) / "problems" / "mechanisms";
+  std::string links = read_source((folder / "assur-7-quaternary.toml").string()).text;
+  const std::string platform = read_source((folder / "3-rpr.toml").string()).text;
+  const std::string ground = "[ground.points]\n";
+  const std::size_t points = platform.find(ground) + ground.size();
+  const std::size_t body = platform.find("[body.");
+  const std::size_t guess = platform.find("[guess]\n");
+  links.insert(links.find(ground) + ground.size(), platform.substr(points, body - points));
+  links.insert(links.find("[guess]\n"), platform.substr(body, guess - body));
+  return links + platform.substr(guess + std::string("[guess]\n").size());
+}
+
+// Whenever it is interrupted.
+TEST(Faults, FamiliesOfAMechanismThatAreWholeAreKept) {
+  const Scene scene;
+  scene.write("two.toml", two_structures());
+  for (double seconds = 0.05; seconds < 0.4; seconds += 0.05) {
+    std::filesystem::remove(scene.path("two.family"));
+    const Outcome outcome = scene.run(
+        {"family", "learn", "two.toml", "--rtol", "1e-10", "--threads", "1", "-o", "two.family"},
+        false, [seconds](int process) {
+          if (catches_interrupt(process) && has_worked(process, seconds)) ::kill(process, SIGTERM);
+        });
+    if (outcome.exit_code == 1) {
+      EXPECT_EQ(outcome.err, "moivre: interrupted: nothing was learned\n");
+      EXPECT_FALSE(scene.has("two.family"));
+      continue;
+    }
+    const Outcome info = scene.run({"family", "info", "two.family", "--json", "-"});
+    ASSERT_EQ(info.exit_code, 0) << info.err;
+    const Json families = Json::parse(info.out)["families"];
+    EXPECT_GE(families.size(), 1u);
+    EXPECT_TRUE(outcome.exit_code == 2 || families.size() == 2) << info.out;
+    for (const Json& family : families) EXPECT_EQ(family["learning"]["complete"], true) << family;
+  }
 }
 
 TEST(Faults, AFamilyWhosePlaceHasNoRoomIsKeptElsewhere) {
