@@ -172,9 +172,13 @@ Family learn_by_loops(const LearnCommand& command, Family family, const Tracker&
   options.certify = !command.no_certify;
   options.observations = kept.observations();
   if (command.trace_test) options.most_tested = options.most_roots;
-  if (line.is_active()) {
+  if (line.is_active() || kept.is_kept()) {
     options.progress = [&](const LoopProgress& progress) {
       line.show(std::to_string(progress.loops) + " loops, " + counted(progress.roots, "root"));
+      Progress so_far;
+      so_far.done = static_cast<std::uint64_t>(progress.loops);
+      so_far.finite = progress.roots;
+      kept.tell(so_far);
     };
   }
   return learn_by_monodromy(std::move(family), *pair, tracker, options, stop);

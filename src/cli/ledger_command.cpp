@@ -42,8 +42,10 @@ std::string state_of(const RunStanding& standing) {
 std::string standing_text(const RunStanding& standing, const std::string& file) {
   std::string text =
       file + ": moivre " + identity_value(standing, "command") + ", " + state_of(standing) + '\n';
-  if (standing.total > 0 && !standing.is_finished) {
-    text += std::to_string(standing.done) + " of " + std::to_string(standing.total) + " done";
+  // How many loops there will be nobody knows.
+  if (standing.done > 0 && !standing.is_finished) {
+    text += std::to_string(standing.done) +
+            (standing.total > 0 ? " of " + std::to_string(standing.total) : " loops") + " done";
     if (standing.roots > 0) text += ", " + counted(standing.roots, "root") + " so far";
     text += '\n';
   }
