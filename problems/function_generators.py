@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Which six-bars turn an output link by psi_j where the input link turns by phi_j, j = 0 .. n - 1? For problems/generate.
 #
-# Watt II, Stephenson II and III, each a family in Bertini's form, in isotropic coordinates [Wampler96]: a vector is a complex
+# Watt II, Stephenson II and III, and a form of which Watt II and Stephenson III are members, each a family in Bertini's form, in isotropic coordinates [Wampler96]: a vector is a complex
 # number v and vc, an unknown of its own that is the conjugate of v in a real linkage. A link that has turned by phi since
 # position 0 has turned its vectors by f = e^(i phi), and their conjugates by 1/f.
 #
@@ -43,6 +43,15 @@ LINKAGES = {
         "vectors": ("w", "v", "b"),
         "given": ("z", "zc", "y", "yc"),
     },
+    "function-generator": {
+        "title": "General form: two bars, each across a vector of every kind.",
+        "about": ("Bar k keeps the length of pk w f + z t + qk b + rk v g + sk, the second bar with y for z. Watt II: p1 = s1 = q2 = r2 = 1,",
+                  "z = -r, y = -1, b is d; Stephenson III: p1 = p2 = 1, q1 = r2 = s2 = -1; all others 0."),
+        "bars": ((("p1*w", 1, "f"), ("z", 1, "t"), ("q1*b", 1, ""), ("r1*v", 1, "g"), ("s1", 1, "")),
+                 (("p2*w", 1, "f"), ("y", 1, "t"), ("q2*b", 1, ""), ("r2*v", 1, "g"), ("s2", 1, ""))),
+        "vectors": ("w", "v", "b"),
+        "given": ("z", "zc", "y", "yc", *(f"{x}{k}{c}" for k in (1, 2) for x in "pqrs" for c in ("", "c"))),
+    },
 }
 FEWEST_POSITIONS, MOST_POSITIONS = 3, 8
 
@@ -54,8 +63,9 @@ def vectors_of(kind, positions):
     return vectors[:unknown], vectors[unknown:]
 
 
-def conjugate(name):
-    return name if name in ("1", "r") else name + "c"
+def conjugate(vector):
+    """Of a product too."""
+    return "*".join(name if name in ("1", "r") else name + "c" for name in vector.split("*"))
 
 
 def equation(bar, j, direction):

@@ -16,8 +16,11 @@ from function_generators import FEWEST_POSITIONS, LINKAGES, MOST_POSITIONS, fami
 STEP, SMALL = 0.03, 1e-9
 
 
-def bars(kind, w, v, other, z, y, r, f, g, t):
+def bars(kind, w, v, other, z, y, r, factors, f, g, t):
     """From one end to the other of the two links that only keep their lengths, with joints placed link by link."""
+    if kind == "function-generator":
+        return tuple(p * w * f + arm * t + q * other + on_output * v * g + fixed
+                     for arm, (p, q, on_output, fixed) in ((z, factors[:4]), (y, factors[4:])))
     if kind == "watt-2":
         return (1 + w * f) - r * t, (other + v * g) - t
     first = w * f + z * t, w * f + y * t      # joints of the coupler
@@ -56,9 +59,12 @@ def values_of(kind, text, numbers, places):
     """The left sides of the family's equations."""
     names = {}
     for letter, value in {"w": numbers["w"], "v": numbers["v"], "z": numbers["z"], "y": numbers["y"],
-                          {"watt-2": "d", "stephenson-2": "x", "stephenson-3": "b"}[kind]: numbers["other"]}.items():
+                          {"watt-2": "d", "stephenson-2": "x"}.get(kind, "b"): numbers["other"]}.items():
         names[letter], names[letter + "c"] = value, value.conjugate()
     names["r"] = numbers["r"]
+    for k, factor in enumerate(numbers["factors"]):
+        name = "pqrs"[k % 4] + str(1 + k // 4)
+        names[name], names[name + "c"] = factor, factor.conjugate()
     for j, place in enumerate(places):
         names.update({f"{letter}{j}": value for letter, value in zip("fgt", place)})
     unknowns = re.search(r"variable_group (.*);", text).group(1).split(", ")
@@ -75,6 +81,7 @@ def main():
             while places is None:
                 numbers = {name: complex(draw.uniform(-2, 2), draw.uniform(-2, 2)) for name in ("w", "v", "other", "z", "y")}
                 numbers["r"] = draw.uniform(0.5, 2)
+                numbers["factors"] = [complex(draw.uniform(-2, 2), draw.uniform(-2, 2)) for _ in range(8)]
                 start = cmath.exp(1j * draw.uniform(-3, 3)) if positions % 2 == 0 else 1
                 places = turned(kind, numbers, start, positions)
             largest = max(map(abs, values_of(kind, text, numbers, places)))
