@@ -41,10 +41,12 @@ class PowerTerms {
 
 /// Of each row: so many terms more a dense polynomial of its degree has.
 std::vector<double> rooms(const State& s, double unknowns) {
+  std::map<std::uint64_t, double> most;  // terms, by degree
   std::vector<double> result;
   for (const Row& row : s.rows) {
-    result.push_back(dense_terms(unknowns, static_cast<double>(row.equation->degree)) -
-                     static_cast<double>(row.equation->p.terms.size()));
+    const auto [known, is_new] = most.try_emplace(row.equation->degree);
+    if (is_new) known->second = dense_terms(unknowns, static_cast<double>(known->first));
+    result.push_back(known->second - static_cast<double>(row.equation->p.terms.size()));
   }
   return result;
 }
