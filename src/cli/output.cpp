@@ -80,6 +80,15 @@ bool has_written_all(int descriptor, std::string_view text) {
   return true;
 }
 
+/// 0, or why there is no room. A timer's signal may come meanwhile.
+int reserve_room(int descriptor, off_t size) {
+  int refusal = 0;
+  do {
+    refusal = size == 0 ? 0 : ::posix_fallocate(descriptor, 0, size);
+  } while (refusal == EINTR);
+  return refusal;
+}
+
 /// False, with errno. A full disk may be told no earlier than here.
 bool has_closed(Descriptor& file) { return ::close(file.release()) == 0; }
 
@@ -219,7 +228,7 @@ void write_in_place(const std::string& path, const Content& content) {
   const auto size = static_cast<off_t>(text.size());
   struct stat old = {};
   if (::fstat(file.number(), &old) != 0) refuse_path(path);
-  const int refusal = size == 0 ? 0 : ::posix_fallocate(file.number(), 0, size);
+  const int refusal = reserve_room(file.number(), size);
   if (refusal != 0 && refusal != EOPNOTSUPP && refusal != EINVAL) {
     if (::ftruncate(file.number(), old.st_size) != 0) errno = refusal;
     errno = refusal;
