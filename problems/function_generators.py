@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 # Which six-bars turn an output link by psi_j where the input link turns by phi_j, j = 0 .. n - 1? For problems/generate.
 #
-# Watt II, Stephenson II and III, and a form of which Watt II and Stephenson III are members, each a family in Bertini's form, in isotropic coordinates [Wampler96]: a vector is a complex
-# number v and vc, an unknown of its own that is the conjugate of v in a real linkage. A link that has turned by phi since
-# position 0 has turned its vectors by f = e^(i phi), and their conjugates by 1/f.
+# Watt II, Stephenson II and III, and a form of which Watt II and Stephenson III are members, each a family in Bertini's form, in
+# isotropic coordinates [Wampler96]: a vector is a complex number v and vc, an unknown of its own that is the conjugate of v in a real
+# linkage. A link that has turned by phi since position 0 has turned its vectors by f = e^(i phi), and their conjugates by 1/f.
 #
 #   fj, gj      parameters: how far input and output have turned in position j; f0 = g0 = 1
 #   tj          unknowns: the direction of the link that is neither, in position j (its angle, from where its own vectors are told)
