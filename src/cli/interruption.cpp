@@ -75,10 +75,10 @@ void note_time(int) { ask_to_stop(Reason::time); }
 void look_at_memory(int) {
   // What is left to do while results are written is to tell what there is.
   if (interrupted || is_writing) return;
-  const int of_who_is_interrupted = errno;
+  const int saved_errno = errno;
   const MemoryState memory = memory_state();
   if (memory.available < memory.used / kShareToTell + kLeastToTell) ask_to_stop(Reason::memory);
-  errno = of_who_is_interrupted;
+  errno = saved_errno;
 }
 
 /// Called where memory cannot be had: once for all threads the reserve is given up, and each tries

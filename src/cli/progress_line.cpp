@@ -20,7 +20,7 @@ constexpr std::chrono::seconds kTick{1};
 
 /// Long work, maybe, without another report.
 bool is_settling(const Progress& progress) {
-  return progress.is_settling || (!progress.search && progress.done >= progress.total);
+  return !progress.search && progress.done >= progress.total;
 }
 
 std::string text_of(const Progress& progress, double seconds) {

@@ -9,7 +9,6 @@
 #include "judge.h"
 #include "missing_roots.h"
 #include "more_digits.h"
-#include "tracking.h"
 
 namespace moivre {
 namespace {
@@ -49,8 +48,6 @@ bool is_settled(Run& run) {
 std::span<const Remedy> remedies() { return kRemedies; }
 
 void settle(Run& run, std::span<const Remedy> table) {
-  // Where all have ended the last report said so.
-  if (run.table.tracked() < run.setting.prepared.plan->paths) report_progress(run, true);
   for (const Remedy remedy : table) {
     if (run.interrupted) return;
     remedy(run);

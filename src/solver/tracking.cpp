@@ -13,6 +13,15 @@
 namespace moivre {
 namespace {
 
+void report_progress(const Run& run) {
+  if (!run.setting.options.progress) return;
+  Progress progress;
+  progress.total = run.setting.prepared.plan->paths;
+  progress.done = run.table.tracked() + run.ends.size();
+  progress.finite = run.table.count(PathVerdict::finite) + run.ends.size();
+  run.setting.options.progress(progress);
+}
+
 // So many paths are followed before others begin; more where they may wait for one another: as many
 // as fit into this memory with the points that each has kept.
 constexpr std::uint64_t kPathsTogether = 4096;
@@ -94,16 +103,6 @@ PathSet raise_with(Run& run, const Tracker& tracker, PathPrecision precision, Ta
 }
 
 }  // namespace
-
-void report_progress(const Run& run, bool is_settling) {
-  if (!run.setting.options.progress) return;
-  Progress progress;
-  progress.total = run.setting.prepared.plan->paths;
-  progress.done = run.table.tracked() + run.ends.size();
-  progress.finite = run.table.count(PathVerdict::finite) + run.ends.size();
-  progress.is_settling = is_settling;
-  run.setting.options.progress(progress);
-}
 
 void track_to_ends(Run& run) {
   track_all(run);

@@ -11,8 +11,6 @@
 
 namespace moivre {
 
-void report_progress(const Run& run, bool is_settling = false);
-
 /// Follows all, and with more effort those that wait, unless the others have met a bound: then they
 /// lead to no other root. That is not asked where every path is to be followed.
 void track_to_ends(Run& run);

@@ -49,8 +49,6 @@ struct Progress {
   /// search is, 0 to 1.
   std::uint64_t cells = 0;
   std::optional<double> search;
-  /// All paths were followed, and what is open is being settled: of some by following them again.
-  bool is_settling = false;
 };
 
 /// The level of precision that a path needed.
