@@ -272,6 +272,10 @@ std::uint64_t terms_instead_of(const Run& run, const PathSet& paths) {
   return static_cast<std::uint64_t>(std::min(terms, static_cast<double>(kMostTerms)));
 }
 
+bool is_longest_algebra_worth_it(const Run& run) {
+  return !run.waiting.empty() && terms_worth_looking_at(run) >= kMostTerms;
+}
+
 bool settle_by_bound(Run& run) {
   run.bounds.lacks_paths = false;
   Places places(exact_roots(run));

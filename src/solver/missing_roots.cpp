@@ -66,13 +66,23 @@ std::vector<ExactRoot> multiple_roots(const Run& run, const std::vector<RingPoin
   return roots;
 }
 
+/// Empty where nothing was seen.
+Point last_seen(const Run& run, std::uint64_t path) {
+  const auto waiting = run.waiting.find(path);
+  if (waiting != run.waiting.end()) {
+    const auto& [x, radius, frame] = waiting->second;
+    return x.empty() ? Point() : to_original(run.setting.prepared, outside(frame, x));
+  }
+  const auto root = run.table.roots().find(path);
+  if (root != run.table.roots().end()) return root->second.point.x;
+  const auto last = run.table.last_points().find(path);
+  return last != run.table.last_points().end() ? last->second : Point();
+}
+
 /// Of the point that was last seen of the path; 1 where nothing was.
 double distance_from_end(const Run& run, std::uint64_t path, const Point& x) {
-  const auto root = run.table.roots().find(path);
-  if (root != run.table.roots().end()) return projective_distance(x, root->second.point.x);
-  const auto last = run.table.last_points().find(path);
-  const bool is_seen = last != run.table.last_points().end() && last->second.size() == x.size();
-  return is_seen ? projective_distance(x, last->second) : 1;
+  const Point seen = last_seen(run, path);
+  return seen.size() == x.size() ? projective_distance(x, seen) : 1;
 }
 
 /// At infinity within the file's digits: of the file to the letter they may lead to roots.
@@ -85,9 +95,10 @@ PathSet paths_at_infinity_as_rounded(const Run& run) {
   return paths;
 }
 
-/// Paths that are open, and those whose ends are told without a proof.
+/// Paths that are open or wait, and those whose ends are told without a proof.
 PathSet paths_without_proof(const Run& run) {
   PathSet paths = open_to_more_digits(run);
+  for (const auto& [path, endgame_start] : run.waiting) paths.insert(path);
   paths.merge(paths_at_infinity_as_rounded(run));
   for (const auto& [path, root] : run.table.roots()) {
     if (!root.point.simple && !root.is_exact) paths.insert(path);
@@ -105,6 +116,7 @@ void enter_nearest(Run& run, const std::vector<ProvedPlace>& places, PathSet pat
     }
     const std::uint64_t nearest = by_distance.begin()->second;
     enter_place(run, refiner, nearest, place);
+    run.waiting.erase(nearest);
     paths.erase(nearest);
   }
 }

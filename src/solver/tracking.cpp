@@ -8,6 +8,7 @@
 
 #include "completeness.h"
 #include "ends.h"
+#include "missing_roots.h"
 #include "observed_paths.h"
 
 namespace moivre {
@@ -102,6 +103,15 @@ PathSet raise_with(Run& run, const Tracker& tracker, PathPrecision precision, Ta
   return undecided;
 }
 
+/// Whether the others lead to no further root.
+bool needs_no_more_effort(Run& run) {
+  if (run.setting.options.every_path) return false;
+  if (settle_by_bound(run)) return true;
+  if (!is_longest_algebra_worth_it(run)) return false;
+  give_missing_roots(run);
+  return settle_by_bound(run);
+}
+
 }  // namespace
 
 void track_to_ends(Run& run) {
@@ -109,7 +119,7 @@ void track_to_ends(Run& run) {
   for (const Effort effort : {Effort::few_steps, Effort::all_steps}) {
     if (effort <= first_effort(run.setting)) continue;
     if (run.waiting.empty() || run.interrupted) return;
-    if (!run.setting.options.every_path && settle_by_bound(run)) return;
+    if (needs_no_more_effort(run)) return;
     track_waiting(run, effort);
   }
 }
