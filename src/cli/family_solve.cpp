@@ -162,6 +162,7 @@ void add_family_solve(CLI::App& family, Chosen& chosen) {
   add_threads_option(app, command->threads);
   add_time_limit_option(app, command->time_limit);
   add_ledger_option(app, command->ledger);
+  add_part_option(app, command->ledger);
   app.add_flag("--all", command->all, "also print the roots that are not real");
   app.add_flag("--no-certify", command->no_certify,
                "leave out certificates; many members then take less time");

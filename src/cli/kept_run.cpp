@@ -4,6 +4,7 @@
 #include "kept_run.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <set>
 
@@ -24,8 +25,8 @@ namespace {
 
 // Say nothing about what is answered.
 const std::set<std::string> kOfTheProcess{
-    "--help", "-h",     "--ledger", "--threads", "--quiet",  "--time-limit", "--json", "--csv",
-    "--svg",  "--html", "--paths",  "--phc",     "--family", "--output",     "-o"};
+    "--help", "-h",    "--ledger", "--part",  "--threads", "--quiet",  "--time-limit", "--json",
+    "--csv",  "--svg", "--html",   "--paths", "--phc",     "--family", "--output",     "-o"};
 // Say what is told of the roots, and not what is followed.
 const std::set<std::string> kOfTheAnswer{
     "FILE",      "--all", "--digits", "--cross-check", "--no-certify",  "--real",      "--positive",
@@ -104,6 +105,32 @@ Fingerprint question_of(const CLI::App& call) {
   return maker.fingerprint();
 }
 
+/// "K/N" of whole numbers, 1 <= K <= N.
+JobPart part_of(const std::string& text) {
+  JobPart part;
+  const char* const end = text.data() + text.size();
+  const auto number = std::from_chars(text.data(), end, part.number);
+  const bool has_slash = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
+  const auto of = std::from_chars(has_slash ? number.ptr + 1 : end, end, part.of);
+  const bool is_part = has_slash && of.ec == std::errc() && of.ptr == end && part.number >= 1 &&
+                       part.number <= part.of;
+  if (is_part) return part;
+  throw CLI::ValidationError("--part", text + " is no part: 2/5 is the second of five");
+}
+
+void require_part_possible(const LedgerChoice& choice) {
+  if (!choice.part) return;
+  if (choice.path.empty()) {
+    throw std::invalid_argument(
+        "--part is kept in a ledger: give --ledger PATH, another one for each part");
+  }
+  if (process_role().shared != nullptr) {
+    throw std::invalid_argument(
+        "--part is for processes that hear nothing of one another: those of mpirun share the work "
+        "by themselves");
+  }
+}
+
 }  // namespace
 
 void add_ledger_option(CLI::App& command, LedgerChoice& choice) {
@@ -115,15 +142,28 @@ void add_ledger_option(CLI::App& command, LedgerChoice& choice) {
       ->type_name("PATH");
 }
 
-KeptRun::KeptRun(const LedgerChoice& choice, const std::vector<std::string>& inputs) {
+void add_part_option(CLI::App& command, LedgerChoice& choice) {
+  command
+      .add_option_function<std::string>(
+          "--part", [&choice](const std::string& text) { choice.part = part_of(text); },
+          "do the K-th of N parts of the work, and keep it in a ledger of its own: moivre ledger "
+          "merge puts the parts together")
+      ->type_name("K/N");
+}
+
+KeptRun::KeptRun(const LedgerChoice& choice, const std::vector<std::string>& inputs)
+    : choice_(choice) {
+  require_part_possible(choice);
   if (choice.path.empty() || !process_role().tells) return;
   question_ = question_of(*choice.call);
   ledger_ = std::make_unique<RunLedger>(choice.path, identity_of(choice, inputs), stop_run);
+  if (choice.part) part_ = std::make_unique<PartOfLists>(*ledger_, *choice.part, stop_run);
 }
 
 KeptRun::~KeptRun() = default;
 
 Observations* KeptRun::observations() {
+  if (part_) return part_.get();
   SharedObservations* const shared = process_role().shared;
   return shared != nullptr ? shared->kept_in(ledger_.get()) : ledger_.get();
 }
@@ -176,6 +216,7 @@ int KeptRun::deliver(const std::vector<Form>& forms, bool quiet, const Content& 
     return exit_code;
   }
   ledger_->close_observations();
+  if (part_ && part_->waits_for_others()) return deliver_part(quiet);
   if (is_asked_to_stop()) {
     moivre::deliver(forms, quiet, text, unfinished);
   } else {
@@ -192,10 +233,23 @@ int KeptRun::deliver(const std::vector<Form>& forms, bool quiet, const Content& 
     moivre::deliver(kept_forms, quiet, text, unfinished);
     if (!is_asked_to_stop()) ledger_->end_answer(question_, exit_code);
   }
+  return unless_ledger_failed(exit_code);
+}
+
+int KeptRun::unless_ledger_failed(int exit_code) const {
   const std::string failure = ledger_->failure();
   if (failure.empty()) return exit_code;
   std::fprintf(stderr, "moivre: %s\n", failure.c_str());
   return kUndecided;
+}
+
+int KeptRun::deliver_part(bool quiet) {
+  const std::string text = "part " + std::to_string(choice_.part->number) + " of " +
+                           std::to_string(choice_.part->of) + " is kept in " + choice_.path +
+                           "\nWhen all parts are there: moivre ledger merge RUN.db " +
+                           choice_.path + " ..., and then the same command with --ledger RUN.db\n";
+  if (!quiet) write_to_stdout(text);
+  return unless_ledger_failed(kDecided);
 }
 
 int KeptRun::deliver(const std::vector<Form>& forms, bool quiet,

@@ -6,6 +6,8 @@
 //   after a kill        the same call takes what was observed and observes the rest
 //   after the end       the same call writes what the finished run has written, without another
 //                       look
+//   a part of it        observes and keeps its share of the work, and writes no result
+//                       (numeric/part_of_lists.h)
 //
 // One call is the same as another where all its options are, but for those that say where results
 // go, how many threads there are, and how long it may take. One run is the same as another where
@@ -19,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "moivre/numeric/observations.h"
+#include "moivre/numeric/part_of_lists.h"
 #include "output.h"
 
 namespace moivre {
@@ -30,11 +32,15 @@ class RunLedger;
 
 struct LedgerChoice {
   std::string path;                ///< empty: the run is not kept
+  std::optional<JobPart> part;     ///< nothing: all of it
   const CLI::App* call = nullptr;  ///< whose options make the run this one
 };
 
 /// "--ledger" of a command that may run long.
 void add_ledger_option(CLI::App& command, LedgerChoice& choice);
+
+/// "--part K/N", of a command whose work is one long list.
+void add_part_option(CLI::App& command, LedgerChoice& choice);
 
 class KeptRun {
  public:
@@ -68,8 +74,13 @@ class KeptRun {
 
  private:
   Content kept(const std::string& slot, const Content& content);
+  int deliver_part(bool quiet);
+  /// The exit code, or that of a ledger that could not be written.
+  int unless_ledger_failed(int exit_code) const;
 
+  LedgerChoice choice_;
   std::unique_ptr<RunLedger> ledger_;
+  std::unique_ptr<PartOfLists> part_;
   Fingerprint question_;
   std::map<std::size_t, std::string> beside_;
 };

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
-// moivre ledger RUN.db: how a kept run stands, and its result when it has ended.
+// moivre ledger RUN.db: how a kept run stands, and its result when it has ended; and ledgers of
+// parts put together.
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "command.h"
 #include "common_options.h"
 #include "moivre/expression/counted.h"
+#include "moivre/run_ledger/merge.h"
 #include "moivre/run_ledger/standing.h"
 #include "output.h"
 
@@ -17,6 +21,11 @@ namespace {
 struct LedgerCommand {
   std::string file;
   std::string result;
+};
+
+struct MergeCommand {
+  std::string file;
+  std::vector<std::string> parts;
 };
 
 std::string number(const char* format, double value) {
@@ -76,6 +85,7 @@ void write_result(const LedgerCommand& command) {
 }
 
 int run(const LedgerCommand& command) {
+  if (command.file.empty()) throw std::invalid_argument("LEDGER is required");
   require_distinct({command.result}, command.file);
   const RunStanding standing = read_standing(command.file);
   if (!command.result.empty()) write_result(command);
@@ -89,19 +99,42 @@ int run(const LedgerCommand& command) {
   return standing.is_finished ? standing.exit_code : kUndecided;
 }
 
+int run(const MergeCommand& command) {
+  merge_ledgers(command.file, command.parts);
+  write_to_stdout(standing_text(read_standing(command.file), command.file));
+  return kDecided;
+}
+
+void add_merge_command(CLI::App& ledger, Chosen& chosen) {
+  const auto command = std::make_shared<MergeCommand>();
+  CLI::App& app = *ledger.add_subcommand(
+      "merge", "Put the ledgers of a run's parts together, so that the run goes on from there");
+  app.add_option("LEDGER", command->file, "the run's file; made where there is none")->required();
+  app.add_option("PARTS", command->parts, "what moivre ... --part K/N --ledger PART has kept")
+      ->required();
+  add_examples(app, {"moivre solve katsura-20.phc --ledger part1.db --part 1/2",
+                     "moivre solve katsura-20.phc --ledger part2.db --part 2/2",
+                     "moivre ledger merge run.db part1.db part2.db",
+                     "moivre solve katsura-20.phc --ledger run.db --json roots.json"});
+  app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+}
+
 }  // namespace
 
 void add_ledger_command(CLI::App& moivre, Chosen& chosen) {
   const auto command = std::make_shared<LedgerCommand>();
   CLI::App& app = *moivre.add_subcommand(
       "ledger", "Show how a run stands that is kept by --ledger, and its result when it has ended");
-  app.add_option("LEDGER", command->file, "the run's file; the run may be going on")->required();
+  app.add_option("LEDGER", command->file, "the run's file; the run may be going on");
   app.add_option("--result", command->result,
                  "write the JSON that the run has written here; - is standard output")
       ->type_name("PATH");
   add_examples(app, {"moivre solve katsura-20.phc --ledger run.db --json roots.json",
                      "moivre ledger run.db", "moivre ledger run.db --result - | jq .paths"});
-  app.callback([command, &chosen] { chosen = [command] { return run(*command); }; });
+  add_merge_command(app, chosen);
+  app.callback([&app, command, &chosen] {
+    if (app.get_subcommands().empty()) chosen = [command] { return run(*command); };
+  });
 }
 
 }  // namespace moivre

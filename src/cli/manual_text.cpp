@@ -185,7 +185,14 @@ const std::map<std::string, Text> kTexts{
        "on meanwhile. After a kill the run's own command goes on from the ledger; its result is "
        "byte for byte that of a run that nothing disturbed, but for the times.",
        "The exit code is that of the run, and 2 where it has not ended."},
-      {"moivre-solve", "moivre-closures", "moivre-sweep", "moivre-family-solve"}}}};
+      {"moivre-ledger-merge", "moivre-solve", "moivre-closures", "moivre-sweep",
+       "moivre-family-solve"}}},
+    {"ledger merge",
+     {{"Puts together what the parts of one run have kept, each with --part K/N in a ledger of its "
+       "own, on any machines: from there the run's own command goes on, and its result is byte for "
+       "byte that of one process, but for the times. The parts' ledgers stay as they are. Ledgers "
+       "of another run, with what differs, and damaged ones are refused."},
+      {"moivre-ledger", "moivre-solve", "moivre-sweep", "moivre-family-solve"}}}};
 
 }  // namespace
 

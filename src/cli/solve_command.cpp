@@ -179,6 +179,7 @@ void add_solve_command(CLI::App& moivre, Chosen& chosen) {
   add_filter_options(app, command->filter);
   add_time_limit_option(app, command->time_limit);
   add_ledger_option(app, command->ledger);
+  add_part_option(app, command->ledger);
   app.add_flag("--all", command->all, "also print the roots that are not real");
   app.add_flag(
       "--slice", command->slice,

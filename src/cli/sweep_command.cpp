@@ -142,6 +142,7 @@ void add_sweep_command(CLI::App& moivre, Chosen& chosen) {
   add_threads_option(app, command->threads);
   add_time_limit_option(app, command->time_limit);
   add_ledger_option(app, command->ledger);
+  add_part_option(app, command->ledger);
   app.add_flag("--no-borders", command->no_borders, "do not locate where the counts change");
   app.add_option("--family", command->family,
                  "use the families in this file, and add those that are learned")

@@ -3,6 +3,7 @@
 #include "format.h"
 
 #include <cstring>
+#include <set>
 
 #include "moivre/numeric/bytes.h"
 
@@ -32,6 +33,26 @@ Fingerprint fingerprint_in(std::string_view text) {
   return fingerprint;
 }
 
+std::string differences(const RunIdentity& kept, const RunIdentity& asked) {
+  const std::map<std::string, std::string> before(kept.begin(), kept.end());
+  const std::map<std::string, std::string> now(asked.begin(), asked.end());
+  std::set<std::string> names;
+  for (const auto& [name, value] : before) names.insert(name);
+  for (const auto& [name, value] : now) names.insert(name);
+  const auto value_of = [](const auto& values, const std::string& name) {
+    const auto found = values.find(name);
+    return found == values.end() || found->second.empty() ? std::string("nothing") : found->second;
+  };
+  std::string text;
+  for (const std::string& name : names) {
+    const std::string was = value_of(before, name);
+    const std::string is = value_of(now, name);
+    if (was == is) continue;
+    text += (text.empty() ? "" : "; ") + name + " was " + was + " and is " + is;
+  }
+  return text;
+}
+
 constexpr const char* kOther = "an observation is not what was written";
 
 /// A row of id, list, jobs, outcomes, checksum.
@@ -39,6 +60,22 @@ void require_whole(const Query& row, const std::string& path) {
   const bool is_whole = row.bytes(1).size() == 2 * sizeof(std::uint64_t) &&
                         checksum_of(row.bytes(1), row.number(2), row.bytes(3)) == row.number(4);
   if (!is_whole) refuse_damage(path, kOther);
+}
+
+bool is_new(Database& database) {
+  return database.number("PRAGMA application_id") == 0 &&
+         database.number("PRAGMA user_version") == 0 &&
+         database.number("SELECT count(*) FROM sqlite_master") == 0;
+}
+
+void make_tables(Database& database, const RunIdentity& identity) {
+  database.run("BEGIN IMMEDIATE");
+  database.run(kTables);
+  Query insert(database, "INSERT INTO identity(name, value) VALUES(?, ?)");
+  for (const auto& [name, value] : identity) insert.with_text(name).with_text(value).finish();
+  database.run("PRAGMA application_id = " + std::to_string(kApplication));
+  database.run("PRAGMA user_version = " + std::to_string(kLedgerFormat));
+  database.run("COMMIT");
 }
 
 }  // namespace
@@ -56,22 +93,6 @@ std::int64_t checksum_of(std::string_view place, std::int64_t number, std::strin
   maker.add(static_cast<std::uint64_t>(number));
   maker.add(bytes);
   return static_cast<std::int64_t>(maker.fingerprint().first);
-}
-
-bool is_new(Database& database) {
-  return database.number("PRAGMA application_id") == 0 &&
-         database.number("PRAGMA user_version") == 0 &&
-         database.number("SELECT count(*) FROM sqlite_master") == 0;
-}
-
-void make_tables(Database& database, const RunIdentity& identity) {
-  database.run("BEGIN IMMEDIATE");
-  database.run(kTables);
-  Query insert(database, "INSERT INTO identity(name, value) VALUES(?, ?)");
-  for (const auto& [name, value] : identity) insert.with_text(name).with_text(value).finish();
-  database.run("PRAGMA application_id = " + std::to_string(kApplication));
-  database.run("PRAGMA user_version = " + std::to_string(kLedgerFormat));
-  database.run("COMMIT");
 }
 
 void require_format(Database& database, const std::string& path) {
@@ -104,6 +125,31 @@ RowsOfLists checked_rows(Database& database, const std::string& path) {
     lists[fingerprint_in(rows.bytes(1))].push_back(rows.number(0));
   }
   return lists;
+}
+
+void require_same_run(const std::string& path, const RunIdentity& kept, const RunIdentity& asked) {
+  const std::string other = differences(kept, asked);
+  if (other.empty()) return;
+  throw std::invalid_argument(path + " is the ledger of another run: " + other);
+}
+
+RowsOfLists open_for_writing(Database& database, const std::string& path,
+                             const RunIdentity& identity) {
+  const bool is_fresh = is_new(database);
+  RowsOfLists rows;
+  if (!is_fresh) {
+    require_format(database, path);
+    rows = checked_rows(database, path);
+    require_same_run(path, identity_of(database), identity);
+  }
+  // Rows are long: with SQLite's own 4096 bytes there are eight times as many writes.
+  if (is_fresh) database.run("PRAGMA page_size = 32768");
+  // A commit writes each page once.
+  database.run("PRAGMA cache_size = -256");
+  database.run("PRAGMA journal_mode = WAL");
+  database.run("PRAGMA synchronous = FULL");
+  if (is_fresh) make_tables(database, identity);
+  return rows;
 }
 
 std::map<std::uint64_t, std::string> outcomes_in(Database& database, const std::string& path,

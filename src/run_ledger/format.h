@@ -20,10 +20,11 @@ inline constexpr int kLedgerFormat = 1;
 std::string text_of(const Fingerprint& fingerprint);
 std::int64_t checksum_of(std::string_view place, std::int64_t number, std::string_view bytes);
 
-/// Whether nothing was ever written into it.
-bool is_new(Database& database);
-/// Makes the tables of a new ledger, all at once.
-void make_tables(Database& database, const RunIdentity& identity);
+/// Of a row's list, jobs, roots, at_infinity, failed, outcomes and checksum.
+inline constexpr const char* kInsertObservation =
+    "INSERT INTO observation(list, jobs, roots, at_infinity, failed, outcomes, checksum) "
+    "VALUES(?, ?, ?, ?, ?, ?, ?)";
+
 /// Throws std::invalid_argument where the file is no ledger of this format. `path` is its name in
 /// the message.
 void require_format(Database& database, const std::string& path);
@@ -34,6 +35,14 @@ using RowsOfLists = std::map<Fingerprint, std::vector<std::int64_t>>;
 /// Reads all of the file. Throws std::invalid_argument where something in it is not what was
 /// written.
 RowsOfLists checked_rows(Database& database, const std::string& path);
+
+/// Throws std::invalid_argument, with what differs, where they are of two runs.
+void require_same_run(const std::string& path, const RunIdentity& kept, const RunIdentity& asked);
+
+/// Makes the tables of a new ledger, or reads all of one. Throws std::invalid_argument where it is
+/// none of this run.
+RowsOfLists open_for_writing(Database& database, const std::string& path,
+                             const RunIdentity& identity);
 
 /// The outcomes in these rows. Throws std::invalid_argument.
 std::map<std::uint64_t, std::string> outcomes_in(Database& database, const std::string& path,

@@ -10,7 +10,6 @@
 #include <mutex>
 #include <new>
 #include <optional>
-#include <set>
 #include <system_error>
 #include <thread>
 
@@ -28,26 +27,6 @@ constexpr double kShortest = 0.1, kLongest = 1, kShare = 0.125;
 constexpr std::size_t kMany = std::size_t{16} << 20, kTooMany = std::size_t{128} << 20;
 // Pieces that the allocator takes from what it has: fresh pages cost more than writing them.
 constexpr std::size_t kPiece = std::size_t{64} << 10;
-
-std::string differences(const RunIdentity& kept, const RunIdentity& asked) {
-  const std::map<std::string, std::string> before(kept.begin(), kept.end());
-  const std::map<std::string, std::string> now(asked.begin(), asked.end());
-  std::set<std::string> names;
-  for (const auto& [name, value] : before) names.insert(name);
-  for (const auto& [name, value] : now) names.insert(name);
-  const auto value_of = [](const auto& values, const std::string& name) {
-    const auto found = values.find(name);
-    return found == values.end() || found->second.empty() ? std::string("nothing") : found->second;
-  };
-  std::string text;
-  for (const std::string& name : names) {
-    const std::string was = value_of(before, name);
-    const std::string is = value_of(now, name);
-    if (was == is) continue;
-    text += (text.empty() ? "" : "; ") + name + " was " + was + " and is " + is;
-  }
-  return text;
-}
 
 }  // namespace
 
@@ -158,22 +137,7 @@ class RunLedger::Books {
  private:
   void open(const RunIdentity& identity) {
     database_.emplace(path_, Database::Access::read_and_write);
-    const bool is_fresh = is_new(*database_);
-    if (!is_fresh) {
-      require_format(*database_, path_);
-      rows_ = checked_rows(*database_, path_);
-      const std::string other = differences(identity_of(*database_), identity);
-      if (!other.empty()) {
-        throw std::invalid_argument(path_ + " is the ledger of another run: " + other);
-      }
-    }
-    // Rows are long: with SQLite's own 4096 bytes there are eight times as many writes.
-    if (is_fresh) database_->run("PRAGMA page_size = 32768");
-    // A commit writes each page once.
-    database_->run("PRAGMA cache_size = -256");
-    database_->run("PRAGMA journal_mode = WAL");
-    database_->run("PRAGMA synchronous = FULL");
-    if (is_fresh) make_tables(*database_, identity);
+    rows_ = open_for_writing(*database_, path_, identity);
   }
 
   void begin_answer(const Fingerprint& question) {
@@ -223,9 +187,7 @@ class RunLedger::Books {
 
   void commit(Database& database, const Pending& pending) {
     database.run("BEGIN IMMEDIATE");
-    Query insert(database,
-                 "INSERT INTO observation(list, jobs, roots, at_infinity, failed, outcomes, "
-                 "checksum) VALUES(?, ?, ?, ?, ?, ?, ?)");
+    Query insert(database, kInsertObservation);
     for (const auto& [list, chunk] : pending.chunks) {
       const std::string name = text_of(list);
       const std::string& outcomes = chunk.outcomes.bytes();

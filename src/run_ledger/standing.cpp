@@ -2,41 +2,14 @@
 // The figures of a ledger, read without writing.
 #include "moivre/run_ledger/standing.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <stdexcept>
 
 #include "format.h"
+#include "ledger_reading.h"
 
 namespace moivre {
 namespace {
-
-/// Held together by all who read. Whether a run is writing is asked by the lock that it holds;
-/// asking takes it for an instant only.
-class Reading {
- public:
-  explicit Reading(const std::string& path) : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
-    if (file_ < 0) {
-      throw std::invalid_argument("cannot read the ledger " + path + ": " + std::strerror(errno));
-    }
-    is_running = ::flock(file_, LOCK_SH | LOCK_NB) != 0;
-    ::flock(file_, LOCK_UN);
-  }
-  // Not before SQLite has closed the file: it would lose its locks.
-  ~Reading() { ::close(file_); }
-  Reading(const Reading&) = delete;
-  Reading& operator=(const Reading&) = delete;
-
-  bool is_running = false;
-
- private:
-  int file_;
-};
 
 void read_figures(Database& database, const std::string& path, RunStanding& standing) {
   Query progress(database, "SELECT done, total, roots, seconds FROM progress");
@@ -71,7 +44,7 @@ double RunStanding::seconds_left() const {
 
 RunStanding read_standing(const std::string& path) {
   return told_of(path, [&] {
-    const Reading reading(path);
+    const LedgerReading reading(path);
     Database database(path, Database::Access::read);
     require_format(database, path);
     RunStanding standing;
@@ -85,7 +58,7 @@ RunStanding read_standing(const std::string& path) {
 bool read_last_answer(const std::string& path, const std::string& slot,
                       const std::function<void(std::string_view)>& sink) {
   return told_of(path, [&] {
-    const Reading reading(path);
+    const LedgerReading reading(path);
     Database database(path, Database::Access::read);
     require_format(database, path);
     Query last(database,

@@ -144,6 +144,76 @@ TEST(KeptRun, AFamilyThatIsKilledGoesOnToTheSameBytes) {
       scene, {"family", "solve", "f.family", "--table", "t.csv", "--tracker", "lanes"}, 4, 300);
 }
 
+/// Three processes that hear nothing of one another, and one that goes on from what they have kept.
+void expect_the_same_of_parts(const Words& call, const Scene& scene) {
+  Words merge{"ledger", "merge", "whole.db"};
+  for (const std::string part : {"1", "2", "3"}) {
+    const std::string file = "part" + part + ".db";
+    const Outcome outcome =
+        scene.run(with(call, {"--ledger", file, "--part", part + "/3", "--json", "part.json"}));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(contains(outcome.out, "part " + part + " of 3 is kept in " + file)) << outcome.out;
+    EXPECT_FALSE(scene.has("part.json"));
+    merge.push_back(file);
+  }
+  const Outcome merged = scene.run(merge);
+  EXPECT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_TRUE(contains(merged.out, "whole.db: moivre " + call.front())) << merged.out;
+  scene.run(with(call, {"--quiet", "--ledger", "whole.db", "--json", "merged.json"}));
+  scene.run(with(call, {"--quiet", "--json", "alone.json"}));
+  EXPECT_EQ(without_times(scene.read("merged.json")), without_times(scene.read("alone.json")));
+}
+
+// More paths than are followed in one block.
+TEST(KeptRun, PartsOfASolveAreTogetherTheBytesOfTheWhole) {
+  const Scene scene;
+  scene.write("f.phc", cyclic(7));
+  expect_the_same_of_parts({"solve", "f.phc", "--start", "total-degree", "--tracker", "lanes"},
+                           scene);
+}
+
+TEST(KeptRun, PartsOfATableAreTogetherTheBytesOfTheWhole) {
+  const Scene scene;
+  write_family(scene, 60);
+  scene.run({"family", "learn", "f.phc", "--parameters", scene.read("parameters"), "--monodromy",
+             "-o", "f.family"});
+  expect_the_same_of_parts(
+      {"family", "solve", "f.family", "--table", "t.csv", "--tracker", "lanes"}, scene);
+}
+
+TEST(KeptRun, PartsOfASweepAreTogetherTheBytesOfTheWhole) {
+  const Scene scene;
+  expect_the_same_of_parts({"sweep", MOIVRE_SOURCE_DIR "/problems/mechanisms/3-rpr.toml", "--vary",
+                            "leg 1.length=8:24:6", "--vary", "leg 2.length=8:24:6"},
+                           scene);
+}
+
+TEST(KeptRun, APartThatIsNoneIsRefused) {
+  const Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  for (const char* part : {"3/2", "0/2", "1", "1/", "/2", "1/2x"}) {
+    const Outcome outcome = scene.run({"solve", "f.phc", "--ledger", "r.db", "--part", part});
+    EXPECT_EQ(outcome.exit_code, 1) << part;
+    EXPECT_TRUE(contains(outcome.err, std::string(part) + " is no part: 2/5 is the second of five"))
+        << outcome.err;
+  }
+  const Outcome lost = scene.run({"solve", "f.phc", "--part", "1/2"});
+  EXPECT_EQ(lost.exit_code, 1);
+  EXPECT_TRUE(contains(lost.err, "give --ledger PATH, another one for each part")) << lost.err;
+}
+
+// There is nothing to share.
+TEST(KeptRun, APartOfShortWorkIsAllOfIt) {
+  const Scene scene;
+  scene.write("f.phc", kCircleAndHyperbola);
+  const Words json{"--quiet", "--json", "r.json"};
+  EXPECT_EQ(
+      scene.run(with({"solve", "f.phc", "--ledger", "r.db", "--part", "2/2"}, json)).exit_code, 0);
+  const std::string part = without_times(scene.read("r.json"));
+  scene.run(with({"solve", "f.phc"}, json));
+  EXPECT_EQ(part, without_times(scene.read("r.json")));
+}
+
 TEST(KeptRun, AFinishedRunIsToldAgainAsItWas) {
   const Scene scene;
   scene.write("f.phc", kCircleAndHyperbola);

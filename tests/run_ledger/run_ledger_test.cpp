@@ -16,6 +16,7 @@
 #include <stdexcept>
 
 #include "moivre/numeric/bytes.h"
+#include "moivre/run_ledger/merge.h"
 #include "moivre/run_ledger/standing.h"
 
 namespace moivre {
@@ -281,6 +282,60 @@ TEST(RunLedger, ATruncatedFileIsRefusedOrRight) {
     expect_nothing_false(folder.file("cut.db"));
     for (const char* tail : {"-wal", "-shm"}) fs::remove(folder.file("cut.db") + tail);
   }
+}
+
+std::string refusal_to_merge(const std::string& file, const std::vector<std::string>& parts) {
+  try {
+    merge_ledgers(file, parts);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void write_part(const std::string& file, std::uint64_t first, std::uint64_t last,
+                const RunIdentity& identity = kIdentity) {
+  RunLedger ledger(file, identity);
+  keep(ledger, kList, first, last);
+}
+
+TEST(RunLedger, PartsHoldTogetherWhatEachOfThemHolds) {
+  const Folder folder;
+  const std::string a = folder.file("a.db"), b = folder.file("b.db"), whole = folder.file("w.db");
+  write_part(a, 0, 300);
+  write_part(b, 300, 500);
+  merge_ledgers(whole, {a, b});
+  merge_ledgers(whole, {b, a});  // once more is once
+  EXPECT_EQ(read_standing(whole).outcomes, 500);
+  RunLedger ledger(whole, kIdentity);
+  EXPECT_EQ(ledger.recall(kList).size(), 500);
+  expect_right(ledger.recall(kList));
+}
+
+TEST(RunLedger, PartsOfAnotherRunAreRefusedAndNothingIsMade) {
+  const Folder folder;
+  const std::string a = folder.file("a.db"), b = folder.file("b.db"), whole = folder.file("w.db");
+  write_part(a, 0, 3);
+  write_part(b, 0, 3, {{"command", "solve"}, {"--seed", "2"}});
+  EXPECT_EQ(refusal_to_merge(whole, {a, b}),
+            b + " is the ledger of another run: --seed was 2 and is 1");
+  EXPECT_FALSE(fs::exists(whole));
+  EXPECT_EQ(refusal_to_merge(a, {b}), a + " is the ledger of another run: --seed was 1 and is 2");
+  EXPECT_EQ(refusal_to_merge(a, {a}), a + " is the ledger that the parts are to go into");
+  const RunLedger writer(a, kIdentity);
+  EXPECT_EQ(refusal_to_merge(whole, {a}), a + " is being written by a run");
+}
+
+TEST(RunLedger, APartThatIsDamagedIsRefused) {
+  const Folder folder;
+  const std::string a = folder.file("a.db"), whole = folder.file("w.db");
+  write_part(a, 0, 300);
+  std::string bytes = content(a);
+  const std::size_t at = bytes.find(outcome_of(40));
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + sizeof(std::uint64_t)] ^= 1;
+  write(a, bytes);
+  EXPECT_NE(refusal_to_merge(whole, {a}).find("a.db is damaged"), std::string::npos);
 }
 
 /// In a process that may write no file beyond so many bytes, which is room enough for what it

@@ -33,7 +33,7 @@ class JobShares {
   /// wait() has its outcome, which is to be taken once. Thread-safe.
   virtual bool tell(std::uint64_t job, std::string outcome) = 0;
   /// Outcomes that others have sent since, when there are any; none: there are jobs to draw again.
-  /// nullopt: all outcomes have come in, or the run is to stop.
+  /// nullopt: all outcomes have come in, or nobody sends what is missing, or the run is to stop.
   virtual std::optional<std::vector<ToldOutcome>> wait(const std::atomic<bool>& stop) = 0;
 };
 
