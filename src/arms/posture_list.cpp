@@ -168,10 +168,10 @@ bool stands_alone(const PostureList& list, const SelfMotion& set, const Polished
 /// The closures that are on a set within the digits.
 void enter_near(PostureList& list, TracedSet&& traced) {
   if (list.has_all_closures) return;
-  list.follows_digits = false;
+  const bool followed_digits = std::exchange(list.follows_digits, false);
   const auto starts = closures_near(list.arm, list.pose, std::move(traced));
   for (const Eigen::VectorXd& start : starts) enter(list, start, false);
-  list.follows_digits = true;
+  list.follows_digits = followed_digits;
 }
 
 /// Adds a set, with the closures near it where it is one of the digits only. Its number where it is
@@ -241,7 +241,11 @@ std::optional<std::size_t> add_set(PostureList& list, const ArmClosure& closure)
   const double sigma = closure.smallest_singular_value;
   const Accuracies accuracies = left_open(list);
   if (sigma <= kStandsAlone && !set_of(list, closure.values, has_an_exact_part)) {
-    if (auto traced = trace_exactly(list, closure.values)) {
+    auto traced = trace_exactly(list, closure.values);
+    // What is told and has led here is found again from here.
+    const bool is_told = traced && told_as(list, traced->motion) != list.moves.end();
+    if (is_told && (!list.follows_digits || !has_ends(traced->motion))) return std::nullopt;
+    if (traced) {
       const bool is_within_digits = accuracies.count > 0 && has_ends(traced->motion);
       return add(list, std::move(*traced), is_within_digits);
     }

@@ -216,6 +216,31 @@ TEST(PeoplesSetsTest, LoopsAreToldOfWhichPiecesAreWithinLess) {
   }
 }
 
+/// Postures of quarter turns, rounded to five and eight decimals: curves that hold the pose to
+/// 1e-10 lead to closures from which they are found again.
+TEST(PeoplesSetsTest, ACurveThatLeadsToItsOwnClosuresIsToldOnce) {
+  const Arm ur5 = arm_of("ur5", "tool0");
+  const Arm kinova = arm_of("kinova_j2s6s200", "j2s6s200_end_effector");
+  const std::pair<const Arm*, const char*> poses[]{
+      {&ur5, "-0.67780 0.19145 0.31655 0.45402 -0.45402 0.54209 0.54209"},
+      {&ur5, "-0.67780 0.19145 0.31655 0.45400 -0.45400 0.54210 0.54210"},
+      {&ur5, "-0.67781 0.19145 0.31655 0.45402 -0.45402 0.54209 0.54209"},
+      {&ur5, "-0.09465 0.19145 -0.72809 -0.23064 0.23064 0.66843 0.66843"},
+      {&kinova, "0.00980000 0 -0.08720000 0.70638442 -0.03195379 0.70638442 0.03195379"}};
+  for (const auto& [arm, text] : poses) {
+    SCOPED_TRACE(text);
+    const TypedPose pose = read_poses({"pose", text}).front();
+    const ArmResult result = find_arm_closures(*arm, pose, lanes(), one_thread());
+    EXPECT_TRUE(result.complete) << result.message;
+    EXPECT_FALSE(result.moves.empty());
+    EXPECT_LE(result.moves.size(), 3U);
+    const auto curves =
+        std::count_if(result.moves.begin(), result.moves.end(),
+                      [](const SelfMotion& set) { return set.dimension == 1 && set.closes; });
+    EXPECT_GE(curves, 1);
+  }
+}
+
 /// Typed with 1.5708 a wrist cannot be quite straight: where the pose asks it to, the joints on
 /// either side of it are infinitely far from real, and the pose is held within its accuracy.
 TEST(PeoplesSetsTest, AWristThatMissesAStraightOneByTheDigitsIsTold) {
