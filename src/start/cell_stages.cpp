@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "random_lifting.h"
 
@@ -12,7 +13,8 @@ namespace moivre {
 
 namespace {
 
-using Points = std::vector<std::vector<std::int64_t>>;
+using SparsePoint = std::vector<PointExponent>;
+using Points = std::vector<SparsePoint>;
 
 /// The support moved so that every variable has an exponent 0 in some term: cells are the same, the
 /// degree is least.
@@ -23,16 +25,21 @@ Points moved_to_the_planes(const Support& support, std::size_t n) {
   }
   Points points;
   for (const Exponents& term : support.terms) {
-    std::vector<std::int64_t>& point = points.emplace_back(n);
-    for (std::size_t j = 0; j < n; ++j) point[j] = std::int64_t{term[j]} - least[j];
+    SparsePoint& point = points.emplace_back();
+    for (std::uint32_t j = 0; j < n; ++j) {
+      if (term[j] != least[j]) point.push_back({j, std::int64_t{term[j]} - least[j]});
+    }
   }
   return points;
 }
 
 std::int64_t degree_of(const Points& points) {
   std::int64_t degree = 0;
-  for (const auto& p : points)
-    degree = std::max(degree, std::accumulate(p.begin(), p.end(), std::int64_t{0}));
+  for (const SparsePoint& point : points) {
+    std::int64_t sum = 0;
+    for (const auto& [variable, exponent] : point) sum += exponent;
+    degree = std::max(degree, sum);
+  }
   return degree;
 }
 
@@ -62,13 +69,12 @@ struct Ingredients {
   CornerLifting corners;
 };
 
-void add_point(CellStage& stage, std::size_t block, const std::vector<std::int64_t>& point,
+void add_point(CellStage& stage, std::size_t block, std::span<const PointExponent> point,
                Int128 lifting, Int128 tie) {
   double sum = 0;
-  for (std::uint32_t j = 0; j < point.size(); ++j) {
-    if (point[j] == 0) continue;
-    stage.coordinates.push_back({j, point[j]});
-    sum += static_cast<double>(point[j]);
+  for (const PointExponent& coordinate : point) {
+    stage.coordinates.push_back(coordinate);
+    sum += static_cast<double>(coordinate.exponent);
   }
   stage.coordinate_begin.push_back(static_cast<std::uint32_t>(stage.coordinates.size()));
   stage.block_of.push_back(static_cast<std::uint32_t>(block));
@@ -89,10 +95,9 @@ CellStage make_stage(const Ingredients& in, std::size_t s, std::int64_t degree) 
     }
     const std::int64_t d = b == s ? degree : 1;
     for (std::size_t corner = 0; b >= s && corner <= n; ++corner) {
-      std::vector<std::int64_t> point(n, 0);
-      if (corner < n) point[corner] = d;
-      add_point(stage, b, point, Int128{d} * in.corners.first[b][corner],
-                Int128{d} * in.corners.tie[b][corner]);
+      const PointExponent point{static_cast<std::uint32_t>(corner), d};
+      add_point(stage, b, {&point, corner < n ? std::size_t{1} : 0},
+                Int128{d} * in.corners.first[b][corner], Int128{d} * in.corners.tie[b][corner]);
     }
   }
   stage.block_begin.push_back(static_cast<std::uint32_t>(stage.points()));
@@ -101,8 +106,15 @@ CellStage make_stage(const Ingredients& in, std::size_t s, std::int64_t degree) 
 
 }  // namespace
 
-CellStages make_stages(const std::vector<Support>& supports, const Lifting& lifting,
-                       std::uint64_t seed) {
+std::uint64_t points_of_stages(const std::vector<Support>& supports) {
+  const std::uint64_t n = supports.size();
+  std::uint64_t terms = 0;
+  for (const Support& support : supports) terms += support.terms.size();
+  return n * terms + n * (n + 1) / 2 * (n + 1);
+}
+
+std::optional<CellStages> make_stages(const std::vector<Support>& supports, const Lifting& lifting,
+                                      std::uint64_t seed, const std::atomic<bool>* stop) {
   const std::size_t n = supports.size();
   std::vector<Points> moved;
   std::vector<std::size_t> sizes;
@@ -129,7 +141,10 @@ CellStages make_stages(const std::vector<Support>& supports, const Lifting& lift
     in.tie.push_back(tie[support]);
   }
   in.corners = corner_lifting(n, seed);
-  for (std::size_t s = 0; s < n; ++s) stages.stages.push_back(make_stage(in, s, stages.degrees[s]));
+  for (std::size_t s = 0; s < n; ++s) {
+    if (stop != nullptr && *stop) return std::nullopt;
+    stages.stages.push_back(make_stage(in, s, stages.degrees[s]));
+  }
   return stages;
 }
 

@@ -15,8 +15,10 @@
 // Source: [Jensen16], the tropical form of regeneration.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "exact_word.h"
@@ -51,8 +53,12 @@ struct CellStages {
   std::vector<CellStage> stages;
 };
 
-/// Requires square supports of two terms at least, and a lifting of their shape.
-CellStages make_stages(const std::vector<Support>& supports, const Lifting& lifting,
-                       std::uint64_t seed);
+/// No more than these, of all stages together; each takes some 60 bytes.
+std::uint64_t points_of_stages(const std::vector<Support>& supports);
+
+/// Requires square supports of two terms at least, and a lifting of their shape. nullopt where it
+/// is to stop.
+std::optional<CellStages> make_stages(const std::vector<Support>& supports, const Lifting& lifting,
+                                      std::uint64_t seed, const std::atomic<bool>* stop);
 
 }  // namespace moivre

@@ -21,6 +21,8 @@ const char* description(CellSearchEnd end) {
       return "more mixed cells than allowed";
     case CellSearchEnd::too_many_steps:
       return "more steps of the search for mixed cells than allowed";
+    case CellSearchEnd::too_many_points:
+      return "more points than a search for mixed cells keeps";
     case CellSearchEnd::too_large:
       return "a mixed volume beyond 2^63";
     case CellSearchEnd::not_generic:
@@ -30,6 +32,9 @@ const char* description(CellSearchEnd end) {
 }
 
 namespace {
+
+// A gigabyte: some three hundred unknowns.
+constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 24;
 
 std::vector<std::size_t> sizes_of(const std::vector<Support>& supports) {
   std::vector<std::size_t> sizes;
@@ -77,6 +82,15 @@ CellSearchEnd walk_in_any_word(const CellStages& stages, const CellSearchOptions
       [&](auto word) { return walk<decltype(word)>(stages, sizes, options, steps, subdivision); });
 }
 
+CellSearchEnd searched(const std::vector<Support>& supports, const Lifting& lifting,
+                       std::uint64_t seed, const CellSearchOptions& options, std::uint64_t& steps,
+                       MixedSubdivision& subdivision) {
+  if (points_of_stages(supports) > kMostPoints) return CellSearchEnd::too_many_points;
+  const auto stages = make_stages(supports, lifting, seed, options.stop);
+  if (!stages) return CellSearchEnd::interrupted;
+  return walk_in_any_word(*stages, options, steps, subdivision);
+}
+
 }  // namespace
 
 CellSearch mixed_cells_of_lifting(const std::vector<Support>& supports, const Lifting& lifting,
@@ -87,8 +101,7 @@ CellSearch mixed_cells_of_lifting(const std::vector<Support>& supports, const Li
   MixedSubdivision subdivision{supports, lifting, {}, 0};
   if (!is_trivial(supports, subdivision)) {
     try {
-      const CellStages stages = make_stages(supports, lifting, seed);
-      search.end = walk_in_any_word(stages, options, search.steps, subdivision);
+      search.end = searched(supports, lifting, seed, options, search.steps, subdivision);
     } catch (const NotGeneric&) {
       search.end = CellSearchEnd::not_generic;
     }

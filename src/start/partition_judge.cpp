@@ -60,7 +60,7 @@ const std::vector<std::uint64_t>& PartitionJudge::column(const std::vector<std::
 
 double PartitionJudge::fresh_number(const Partition& groups) {
   ++tried_;
-  work_ += kOverhead;
+  work_ += std::max(kOverhead, kOverheadOfUnknown * unknowns_);
   const auto shape = exponent_table(groups);
   if (!shape) return std::numeric_limits<double>::infinity();
   std::vector<const std::vector<std::uint64_t>*> degrees;
@@ -88,6 +88,8 @@ double PartitionJudge::number(const Partition& groups) {
   if (is_new) {
     place->second = fresh_number(groups);
     keep_best(groups, place->second);
+  } else if (kOverheadOfUnknown * unknowns_ > kOverhead) {
+    work_ += kOverheadOfUnknown * unknowns_;
   }
   return place->second;
 }

@@ -13,8 +13,10 @@ namespace moivre {
 
 class PartitionJudge {
  public:
-  /// A table of few entries takes as long as this many products.
+  /// A table of few entries takes as long as this many products; making and comparing a partition
+  /// takes no less for each unknown, of more than twenty of them.
   static constexpr std::uint64_t kOverhead = 500;
+  static constexpr std::uint64_t kOverheadOfUnknown = 25;
 
   explicit PartitionJudge(const System& f);
 

@@ -367,6 +367,17 @@ TEST(Faults, PathsThatCannotBeKeptAreRefusedBeforeTheyAreFollowed) {
       << outcome.err;
 }
 
+// More paths than 64 bits count are no reason to look for fewer at any price.
+TEST(Faults, QuadricsOfManyUnknownsAreRefusedInLittleMemory) {
+  const Scene scene;
+  std::string text = "500\n";
+  for (int i = 0; i < 500; ++i) text += "x" + std::to_string(i) + "^2 - 1;\n";
+  scene.write("f.phc", text);
+  const Outcome outcome = scene.run({"solve", "f.phc"}, false, limit_memory(rlim_t{512} << 20));
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_TRUE(contains(outcome.err, "the Bezout number does not fit into 64 bits")) << outcome.err;
+}
+
 // Wherever memory runs out the program ends by itself: with what is finished, or with a sentence.
 TEST(Faults, NoLimitOfMemoryEndsARunWithoutAWord) {
   const Scene scene;

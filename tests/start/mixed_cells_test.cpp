@@ -283,6 +283,16 @@ TEST(MixedCells, BudgetsEndTheSearchWithTheirReason) {
   EXPECT_NE(std::string(description(CellSearchEnd::too_many_cells)), "");
 }
 
+TEST(MixedCells, SearchesOfTooManyPointsAreNotBegun) {
+  std::vector<Support> squares;
+  for (std::size_t i = 0; i < 400; ++i) {
+    Exponents square(400, 0);
+    square[i] = 2;
+    squares.push_back({{square, Exponents(400, 0)}});
+  }
+  EXPECT_EQ(mixed_cells(squares, 1).end, CellSearchEnd::too_many_points);
+}
+
 TEST(MixedCells, AStopFlagInterrupts) {
   const std::atomic<bool> stop{true};
   CellSearchOptions options;

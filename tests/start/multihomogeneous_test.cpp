@@ -162,6 +162,31 @@ TEST(PartitionSearch, EndsForManyUnknowns) {
   EXPECT_FALSE(search.is_least);
 }
 
+// Partitions of many unknowns take long to make: their number is what the search is bounded by.
+TEST(PartitionSearch, TriesFewerPartitionsOfMoreUnknowns) {
+  System f;
+  for (std::uint32_t v = 0; v < 400; ++v) {
+    f.variables.push_back("x" + std::to_string(v));
+    f.polynomials.push_back(power(unknown(v), 2) + constant({-1, 0}));
+  }
+  EXPECT_LE(find_partition(f).tried, 5000U);
+}
+
+// The degrees of its groups alone take longer than the search may.
+TEST(PartitionSearch, HasOneGroupOfEquationsWithHalfAMillionTerms) {
+  constexpr std::uint32_t kUnknowns = 100;
+  Polynomial dense;
+  for (std::uint32_t v = 0; v < kUnknowns; ++v) {
+    for (std::uint32_t w = v + 1; w < kUnknowns; ++w) {
+      dense.terms.push_back({{1, 0}, {{v, 1}, {w, 1}}});
+    }
+  }
+  System f;
+  for (std::uint32_t v = 0; v < kUnknowns; ++v) f.variables.push_back("x" + std::to_string(v));
+  f.polynomials.assign(kUnknowns, dense);
+  EXPECT_EQ(find_partition(f).groups, one_group(kUnknowns));
+}
+
 TEST(PartitionSearch, RefusesSystemsThatAreNotSquareOrHoldAZero) {
   EXPECT_THROW(find_partition(System{}), std::invalid_argument);
   EXPECT_THROW(find_partition(System{{"x", "y"}, {unknown(0)}}), std::invalid_argument);

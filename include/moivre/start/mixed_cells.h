@@ -61,6 +61,7 @@ enum class CellSearchEnd {
   too_many_steps,  ///< more than `most_steps`
   too_large,       ///< the mixed volume is beyond 2^63
   not_generic,     ///< the lifting has ties: only for a lifting from outside
+  too_many_points  ///< of all stages of the search: some three hundred unknowns and more
 };
 
 /// In words, for a sentence such as "mixed volume not computed: ...".
