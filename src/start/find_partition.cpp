@@ -247,13 +247,13 @@ PartitionSearch find_partition(const System& f, std::uint64_t most_work) {
     throw InvalidInput("groups are not looked for where an equation is 0 = 0");
   }
   PartitionJudge judge(f);
-  judge.try_once(one_group(n));  // long equations may leave time for no other
   const std::uint64_t allowed = std::min(allowed_work(f), std::max(kLeastSearchWork, most_work));
   const bool tries_all =
       n <= kExhaustiveUnknowns && kPartitions[n] * PartitionJudge::kOverhead <= allowed;
   if (tries_all) {
     try_all(judge, n);
   } else {
+    judge.number(one_group(n));  // long equations may leave time for no other
     improve_beginnings(judge, beginnings(f, judge), allowed);
   }
   PartitionSearch search;

@@ -16,7 +16,7 @@
 namespace moivre {
 namespace {
 
-constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kRounding = std::numeric_limits<double>::epsilon();
 
 struct Case {
   const char* name;
@@ -36,7 +36,7 @@ std::vector<Case> cases() {
   };
 }
 
-std::vector<std::string> names(std::size_t n) {
+std::vector<std::string> names_of_unknowns(std::size_t n) {
   std::vector<std::string> result;
   for (std::size_t j = 0; j < n; ++j) result.push_back(std::string("x").append(std::to_string(j)));
   return result;
@@ -95,7 +95,7 @@ TEST(LinearProduct, EveryStartPointIsARegularRootOfTheStartSystem) {
   for (const Case& c : cases()) {
     for (const std::uint64_t seed : {1UL, 2UL, 12345UL}) {
       const LinearProductStart start = linear_product_start(c.degrees, c.groups, seed);
-      const System g = start_system(start, names(c.degrees.size())).value();
+      const System g = start_system(start, names_of_unknowns(c.degrees.size())).value();
       for (std::uint64_t number = 0; number < start.paths; ++number) {
         Point x = start_point(start, number);
         ASSERT_EQ(x.size(), c.degrees.size() + 1);
@@ -103,7 +103,7 @@ TEST(LinearProduct, EveryStartPointIsARegularRootOfTheStartSystem) {
         x.pop_back();
         const Values at = values(g, x);
         for (std::size_t i = 0; i < at.f.size(); ++i) {
-          EXPECT_LT(std::abs(at.f[i]), 1e3 * kEpsilon * at.terms[i]) << c.name << number;
+          EXPECT_LT(std::abs(at.f[i]), 1e3 * kRounding * at.terms[i]) << c.name << number;
         }
         EXPECT_LT(condition(g, x), 1e6) << c.name << ' ' << number;
       }
@@ -127,7 +127,7 @@ TEST(LinearProduct, TheStartPointsAreDistinctAndAsManyAsTheGroupsSay) {
 TEST(LinearProduct, MultipliedOutItHasTheDegreesAndTheTermsForetold) {
   for (const Case& c : cases()) {
     const LinearProductStart start = linear_product_start(c.degrees, c.groups, 3);
-    const System g = start_system(start, names(c.degrees.size())).value();
+    const System g = start_system(start, names_of_unknowns(c.degrees.size())).value();
     EXPECT_EQ(group_degrees(g, c.groups), c.degrees) << c.name;
     EXPECT_EQ(term_count(g), linear_product_terms(c.degrees, c.groups)) << c.name;
   }
@@ -136,7 +136,7 @@ TEST(LinearProduct, MultipliedOutItHasTheDegreesAndTheTermsForetold) {
 TEST(LinearProduct, IsMultipliedOutExactly) {
   const LinearProductStart start =
       linear_product_start(GroupDegrees{{2, 1}, {2, 1}, {1, 1}}, {{0, 1}, {2}}, 1);
-  const System g = start_system(start, names(3)).value();
+  const System g = start_system(start, names_of_unknowns(3)).value();
   const auto exact = [](Complex z) { return Coefficient{Rational(z.real()), Rational(z.imag())}; };
   const std::vector<Point>& forms = start.factors[0][0].forms;
   ASSERT_EQ(forms.size(), 2U);
@@ -170,7 +170,8 @@ TEST(LinearProduct, NeighbouringNumbersAreChoicesOfFactors) {
 TEST(LinearProduct, TheSeedAloneDecidesTheStartSystem) {
   const auto system = [](std::uint64_t seed) {
     const Case c = cases()[3];
-    return start_system(linear_product_start(c.degrees, c.groups, seed), names(4)).value();
+    return start_system(linear_product_start(c.degrees, c.groups, seed), names_of_unknowns(4))
+        .value();
   };
   EXPECT_EQ(system(1), system(1));
   EXPECT_NE(system(1), system(2));
@@ -181,7 +182,7 @@ TEST(LinearProduct, AnExpansionThatIsTooLongIsForetoldAndNotBegun) {
   const GroupDegrees d(12, {12});
   const Partition groups = one_group(12);
   EXPECT_EQ(linear_product_terms(d, groups), 12U * 2704156U);
-  EXPECT_EQ(start_system(linear_product_start(d, groups, 1), names(12)), std::nullopt);
+  EXPECT_EQ(start_system(linear_product_start(d, groups, 1), names_of_unknowns(12)), std::nullopt);
   const std::uint64_t half = std::uint64_t{1} << 40;
   EXPECT_EQ(linear_product_terms(GroupDegrees{{half}, {half}}, one_group(2)),
             std::numeric_limits<std::uint64_t>::max());
