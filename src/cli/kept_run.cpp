@@ -88,7 +88,8 @@ RunIdentity identity_of(const LedgerChoice& choice, const std::vector<std::strin
           "--ledger needs a file that can be read again, not standard input");
     }
     const std::string which = number == 1 ? "" : " of input " + std::to_string(number);
-    identity.emplace_back("content" + which, hexadecimal(fingerprint_of(read_source(input).text)));
+    identity.emplace_back("fingerprint of the file" + which,
+                          hexadecimal(fingerprint_of(read_source(input).text)));
   }
   std::set<std::string> without = kOfTheProcess;
   without.insert(kOfTheAnswer.begin(), kOfTheAnswer.end());

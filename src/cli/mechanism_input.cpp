@@ -72,8 +72,9 @@ void add_mechanism_options(CLI::App& command, MechanismChoice& choice) {
 
 void apply(const MechanismChoice& choice, Mechanism& mechanism) {
   if (choice.fit) {
-    if (!(*choice.fit > 0) || !is_workable(*choice.fit)) {
-      throw std::invalid_argument("--fit must be a length above 0");
+    if (!(*choice.fit > 0)) throw std::invalid_argument("--fit must be a length above 0");
+    if (!is_workable(*choice.fit)) {
+      throw std::invalid_argument("--fit is a length beyond 1e50");
     }
     mechanism.fit = choice.fit;
   }

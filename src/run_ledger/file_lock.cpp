@@ -31,16 +31,14 @@ bool is_database(int file) {
   return is_read && std::string_view(head, sizeof head) == kSqlite;
 }
 
-/// Why the file is refused; empty where it is not.
-std::string refusal(const std::string& path, int file, const struct stat& status) {
-  if (!S_ISREG(status.st_mode))
-    return "cannot write the ledger " + path + ": it is no regular file";
-  if (!has_locked(file)) return "another process is writing the ledger " + path;
-  if (status.st_size > 0 && !is_database(file)) return path + " is no ledger of a run";
-  return "";
-}
-
 }  // namespace
+
+std::string no_ledger(const std::string& path, int file) {
+  struct stat status = {};
+  if (::fstat(file, &status) != 0 || !S_ISREG(status.st_mode))
+    return "cannot use " + path + " as a ledger: it is no regular file";
+  return status.st_size > 0 && !is_database(file) ? path + " is no ledger of a run" : "";
+}
 
 FileLock::FileLock(const std::string& path)
     : path_(path), file_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
@@ -50,7 +48,8 @@ FileLock::FileLock(const std::string& path)
   }
   device_ = status.st_dev;
   node_ = status.st_ino;
-  const std::string why = refusal(path, file_, status);
+  std::string why = no_ledger(path, file_);
+  if (why.empty() && !has_locked(file_)) why = "another process is writing the ledger " + path;
   if (why.empty()) return;
   ::close(file_);
   throw std::invalid_argument(why);

@@ -12,6 +12,9 @@
 
 namespace moivre {
 
+/// Why this open file can be no ledger; empty where it may be one, as an empty file may.
+std::string no_ledger(const std::string& path, int file);
+
 class FileLock {
  public:
   /// Makes an empty file where there is none. Throws std::invalid_argument where the file is no

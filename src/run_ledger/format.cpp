@@ -3,7 +3,7 @@
 #include "format.h"
 
 #include <cstring>
-#include <set>
+#include <vector>
 
 #include "moivre/numeric/bytes.h"
 
@@ -33,12 +33,15 @@ Fingerprint fingerprint_in(std::string_view text) {
   return fingerprint;
 }
 
+/// What comes first says most: of another command nothing else is told.
 std::string differences(const RunIdentity& kept, const RunIdentity& asked) {
   const std::map<std::string, std::string> before(kept.begin(), kept.end());
   const std::map<std::string, std::string> now(asked.begin(), asked.end());
-  std::set<std::string> names;
-  for (const auto& [name, value] : before) names.insert(name);
-  for (const auto& [name, value] : now) names.insert(name);
+  std::vector<std::string> names;
+  for (const auto& [name, value] : asked) names.push_back(name);
+  for (const auto& [name, value] : kept) {
+    if (now.count(name) == 0) names.push_back(name);
+  }
   const auto value_of = [](const auto& values, const std::string& name) {
     const auto found = values.find(name);
     return found == values.end() || found->second.empty() ? std::string("nothing") : found->second;
@@ -49,6 +52,7 @@ std::string differences(const RunIdentity& kept, const RunIdentity& asked) {
     const std::string is = value_of(now, name);
     if (was == is) continue;
     text += (text.empty() ? "" : "; ") + name + " was " + was + " and is " + is;
+    if (name == asked.front().first) break;
   }
   return text;
 }

@@ -9,6 +9,9 @@
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
+#include <string>
+
+#include "file_lock.h"
 
 namespace moivre {
 
@@ -16,6 +19,11 @@ LedgerReading::LedgerReading(const std::string& path)
     : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
   if (file_ < 0) {
     throw std::invalid_argument("cannot read the ledger " + path + ": " + std::strerror(errno));
+  }
+  const std::string why = no_ledger(path, file_);
+  if (!why.empty()) {
+    ::close(file_);
+    throw std::invalid_argument(why);
   }
   is_running = ::flock(file_, LOCK_SH | LOCK_NB) != 0;
   ::flock(file_, LOCK_UN);

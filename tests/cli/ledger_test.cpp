@@ -269,7 +269,7 @@ TEST(KeptRun, AnotherRunIsRefusedWithWhatDiffers) {
   EXPECT_EQ(seed.err, "moivre: r.db is the ledger of another run: --seed was 1 and is 2\n");
   const Outcome file = scene.run({"solve", "g.phc", "--ledger", "r.db"});
   EXPECT_EQ(file.exit_code, 1);
-  EXPECT_TRUE(contains(file.err, "another run: content was ")) << file.err;
+  EXPECT_TRUE(contains(file.err, "another run: fingerprint of the file was ")) << file.err;
   EXPECT_EQ(scene.run({"solve", "-", "--ledger", "r.db"}).exit_code, 1);
   EXPECT_EQ(scene.run({"solve", "f.phc", "--ledger", "f.phc"}).exit_code, 1);
   EXPECT_EQ(scene.read("f.phc"), kCircleAndHyperbola);
