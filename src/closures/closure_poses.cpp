@@ -144,11 +144,30 @@ enum class RootKind {
   does_not_close
 };
 
+/// The root is alone, as the numbers were typed: that double sees nothing hold its pose says how
+/// far double sees, and not that it moves.
+bool is_proved_as_typed(const ClosureSearch& search, const Solution& solution) {
+  return solution.certified == true && search.proves_as_typed();
+}
+
 /// Newton-Raphson's run from a root, and whether it came to a pose next to it.
 struct Polished {
   NewtonResult pose;
   bool stayed = false;
 };
+
+/// The run that ends where it began, at a proved root whose residual is rounding; nothing where it
+/// is more. Where Phi_q is singular in double a step goes as far along its null space as rounding
+/// likes, and the root is known better than where it leads.
+std::optional<NewtonResult> at_proved_root(const ClosureSearch& search, const Solution& solution,
+                                           const Eigen::VectorXd& guess) {
+  constexpr double kRounding = 1e-12;
+  if (!is_proved_as_typed(search, solution)) return std::nullopt;
+  NewtonOptions options;
+  options.residual_tolerance = kRounding;
+  NewtonResult run = newton(search.phi, guess, search.options.time, options);
+  return run.steps() == 0 ? std::optional(std::move(run)) : std::nullopt;
+}
 
 /// Of the two roots beside a fold of links as meant both may lead to one of the file's two: then
 /// the second one leads to the other.
@@ -164,6 +183,9 @@ Polished polished_from(const ClosureSearch& search, const Solution& solution) {
            largest_of(phi, q - guess) <= most;
   };
   NewtonResult pose = newton(phi, guess, search.options.time);
+  if (pose.is_singular) {
+    if (auto root = at_proved_root(search, solution, guess)) pose = std::move(*root);
+  }
   if (meant_within > 0 && pose.status == NewtonStatus::converged && !pose.is_singular &&
       is_known(search, phi.canonical(pose.q))) {
     std::optional<NewtonResult> other = across_the_fold(phi, pose.q, search.options.time);
@@ -187,7 +209,8 @@ RootKind polish(ClosureSearch& search, const Solution& solution, std::vector<Sol
     ++search.unpolished;
     return RootKind::isolated;
   }
-  if (polished.is_singular && lies_on_motion(search, phi.canonical(polished.q))) {
+  const bool may_move = polished.is_singular && !is_proved_as_typed(search, solution);
+  if (may_move && lies_on_motion(search, phi.canonical(polished.q))) {
     return RootKind::on_a_set;
   }
   const bool is_meant = search.formulation.meant_within > 0;
@@ -278,6 +301,9 @@ void tell_limits(ClosureSearch& search) {
 }
 
 bool lies_on_motion(ClosureSearch& search, const Eigen::VectorXd& q) {
+  // Sets would take away of what the isolated roots are counted against.
+  const bool has_no_set = search.result.completeness == RootCompleteness::proved;
+  if (has_no_set && search.proves_as_typed()) return false;
   auto moves = moves_at(search.phi, q, search.options.time, search.options.solve.seed);
   if (!moves) return false;
   search.result.moves = std::move(moves);

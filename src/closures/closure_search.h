@@ -23,12 +23,18 @@ struct NearMiss {
 struct ClosureSearch {
   ClosureSearch(const Mechanism& the_mechanism, const Tracker& the_tracker,
                 const ClosureOptions& the_options, const std::atomic<bool>& the_stop)
+      : ClosureSearch(the_mechanism, the_tracker, the_options, the_stop,
+                      formulate(the_mechanism, the_options.time)) {}
+  /// With its polynomials, or others that say the same of it.
+  ClosureSearch(const Mechanism& the_mechanism, const Tracker& the_tracker,
+                const ClosureOptions& the_options, const std::atomic<bool>& the_stop,
+                Formulation the_formulation)
       : mechanism(the_mechanism),
         tracker(the_tracker),
         options(the_options),
         stop(the_stop),
         phi(mechanism),
-        formulation(formulate(mechanism, options.time)) {}
+        formulation(std::move(the_formulation)) {}
 
   bool wants_proofs() const {
     return options.certify && options.solve.certify && proves_beyond_double();
@@ -37,6 +43,11 @@ struct ClosureSearch {
   bool has_proofs() const {
     const System& f = formulation.system;
     return wants_proofs() && f.polynomials.size() == f.variables.size();
+  }
+
+  /// What is proved is proved of the numbers that were typed, not of frames that were rounded.
+  bool proves_as_typed() const {
+    return has_proofs() && formulation.is_exact && !formulation.has_rounded_frames;
   }
 
   const Mechanism& mechanism;

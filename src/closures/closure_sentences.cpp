@@ -50,6 +50,9 @@ std::string closure_message(ClosureVerdict verdict) {
              "it";
     case ClosureVerdict::moves_with_drivers_held:
       return "moves: the closures form a set of positive dimension though the drivers stand";
+    case ClosureVerdict::moves_as_rounded:
+      return "undecided: with the drivers' angles rounded the closures form a set, and it may be "
+             "the rounding's: at other angles they form none";
     case ClosureVerdict::partly_complex:
       return "cannot be assembled: a part of it closes in complex numbers only";
     case ClosureVerdict::no_closure:

@@ -26,6 +26,7 @@ enum class ClosureVerdict {
   paths_failed,
   moves_without_driver,
   moves_with_drivers_held,
+  moves_as_rounded,
   partly_complex,
   no_closure,
   decided

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "closure_poses.h"
 #include "closure_product.h"
@@ -13,6 +14,7 @@
 #include "fitted_poses.h"
 #include "moivre/closures/idle_joints.h"
 #include "moivre/mechanism/drawn_pose.h"
+#include "moivre/mechanism/driver_law.h"
 #include "moivre/numeric/invalid_input.h"
 #include "moivre/numeric/stopwatch.h"
 #include "moving_pose.h"
@@ -68,6 +70,13 @@ void find_all(ClosureSearch& search) {
   tell_limits(search);
 }
 
+/// What was done before stays in the account.
+void keep_account(const ClosureResult& first, ClosureResult& result) {
+  result.stages.insert(result.stages.begin(), first.stages.begin(), first.stages.end());
+  result.paths += first.paths;
+  result.work += first.work;
+}
+
 /// Everything anew, with all equations combined. What was done before stays in the account, and
 /// what missed by little is looked at again.
 void find_all_combined(ClosureSearch& search) {
@@ -76,14 +85,10 @@ void find_all_combined(ClosureSearch& search) {
     if (closure.is_fitted) search.fitted_before.push_back(closure.q);
   }
   search.result = described(search);
-  search.result.idle = first.idle;
   search.is_combined = true;
   search.lost_images = search.unproved = search.unpolished = search.rootless = 0;
   find_all(search);
-  ClosureResult& result = search.result;
-  result.stages.insert(result.stages.begin(), first.stages.begin(), first.stages.end());
-  result.paths += first.paths;
-  result.work += first.work;
+  keep_account(first, search.result);
 }
 
 /// Why the search is not complete.
@@ -174,6 +179,60 @@ void conclude(ClosureSearch& search) {
   }
 }
 
+void search_whole(ClosureSearch& search) {
+  search.result = described(search);
+  if (!solve_apart(search)) {
+    find_all(search);
+    if (may_find_more(search)) find_all_combined(search);
+    mark_drawn(search);
+    measure_play(search);
+  }
+  conclude(search);
+}
+
+/// Whether the mechanism as typed may have another answer than what was told. Where equations are
+/// redundant, or a fit is given, typed digits stand for a mechanism that closes.
+bool may_differ_as_typed(const ClosureSearch& search) {
+  const System& f = search.formulation.system;
+  const bool is_plain = f.polynomials.size() == f.variables.size() && !search.mechanism.fit;
+  return is_plain && !search.stop && (search.result.moves || !search.result.complete);
+}
+
+/// Whether closures form a set whatever the drivers' angles are. One that is there where angles are
+/// rounded, and not at others, may be the rounding's.
+bool moves_at_other_angles(const ClosureSearch& search) {
+  constexpr double kOther = 0.01;  // rad: far beyond rounding, and what closes closes there too
+  Mechanism other = search.mechanism;
+  double step = kOther;
+  for (Driver& driver : other.drivers) {
+    if (driver.kind != DriverKind::angle) continue;
+    driver.law = Parabola{driver_state(driver.law, search.options.time).value + step, 0, 0};
+    step *= std::numbers::phi;  // no relation between them
+  }
+  ClosureSearch there(other, search.tracker, search.options, search.stop);
+  search_whole(there);
+  return there.result.moves.has_value();
+}
+
+/// A set, or nothing decided, may be what terms that were taken for rounding leave, or an angle
+/// that was rounded: what was typed is asked again.
+void ask_as_typed(ClosureSearch& search) {
+  if (!may_differ_as_typed(search)) return;
+  if (auto typed = with_typed_terms(search.formulation)) {
+    ClosureSearch again(search.mechanism, search.tracker, search.options, search.stop,
+                        std::move(*typed));
+    search_whole(again);
+    keep_account(search.result, again.result);
+    search.result = std::move(again.result);
+  }
+  const bool is_told_to_move = search.result.moves && search.result.complete;
+  if (!is_told_to_move || !search.formulation.has_rounded_angles || moves_at_other_angles(search)) {
+    return;
+  }
+  search.result.complete = false;
+  search.result.message = closure_message(ClosureVerdict::moves_as_rounded);
+}
+
 }  // namespace
 
 ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
@@ -181,20 +240,15 @@ ClosureResult find_closures(const Mechanism& mechanism, const Tracker& tracker,
   require_drivers(mechanism, options.time);
   require_unbroken(validate(options.solve));
   const Stopwatch watch;
-  HeldMechanism held = hold_idle(mechanism);
+  const HeldMechanism held = hold_idle(mechanism);
   ClosureSearch search(held.mechanism, tracker, options, stop);
-  search.result = described(search);
-  search.result.idle = std::move(held.idle);
-  if (!solve_apart(search)) {
-    find_all(search);
-    if (may_find_more(search)) find_all_combined(search);
-    mark_drawn(search);
-    measure_play(search);
-  }
-  add_mobility(Phi(mechanism), mechanism.fit.value_or(0), options.with_mobility, search.result);
-  conclude(search);
-  search.result.time_s.total = watch.total();
-  return std::move(search.result);
+  search_whole(search);
+  ask_as_typed(search);
+  ClosureResult result = std::move(search.result);
+  result.idle = held.idle;
+  add_mobility(Phi(mechanism), mechanism.fit.value_or(0), options.with_mobility, result);
+  result.time_s.total = watch.total();
+  return result;
 }
 
 }  // namespace moivre

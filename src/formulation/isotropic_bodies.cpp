@@ -393,6 +393,8 @@ Formulation isotropic_bodies(const Mechanism& mechanism, double t) {
     ends = Bodies(mechanism, t, driven, ends, known).ends_by_order_of_blocks();
   }
   Formulation formulation = Bodies(mechanism, t, driven, ends, known).build();
+  formulation.has_rounded_angles = std::any_of(
+      driven.begin(), driven.end(), [](const EnclosedUnit& unit) { return unit.error > 0; });
   formulation.enclosed = [mechanism, t, driven, ends, known, plain = formulation] {
     return Bodies(mechanism, t, driven, ends, known, true).enclosed(plain);
   };

@@ -67,7 +67,10 @@ void check_size(Faults& faults, const Mechanism& mechanism) {
   constexpr double kLongest = 1e9;
   double longest = 0;
   for (const Body& body : mechanism.bodies) {
-    for (const BodyPoint& point : body.points) longest = std::max(longest, point.at.norm());
+    // Squares of lengths below 1e-162 vanish, and so would a norm made of them.
+    for (const BodyPoint& point : body.points) {
+      longest = std::max(longest, point.at.stableNorm());
+    }
   }
   for (const Joint& joint : mechanism.joints) {
     if (reads_length(joint.type)) longest = std::max(longest, std::abs(joint.length));

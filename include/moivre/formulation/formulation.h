@@ -77,6 +77,9 @@ struct Formulation {
   /// Terms of exact numbers were taken for rounding, since they are as small: a platform typed with
   /// 14 digits is the symmetric one.
   bool lacks_typed_terms = false;
+  /// A driver's angle is known within an error only: that something vanishes here may be its
+  /// rounding. Of planar mechanisms.
+  bool has_rounded_angles = false;
   /// Made where it is asked for; empty where the system itself is what proofs are of.
   std::function<EnclosedPolynomials()> enclosed;
   std::vector<std::vector<std::string>> owners;  ///< bodies (or unknowns) that a variable places
@@ -136,6 +139,10 @@ std::optional<double> share_left(const Formulation::Exclusion& exclusion,
 
 /// The polynomials at time t.
 Formulation formulate(const Mechanism& mechanism, double t);
+
+/// The same with every term that was typed, none of them taken for rounding; nullopt where none was.
+/// A mechanism that is meant to be special, typed with all digits of a double, is another one then.
+std::optional<Formulation> with_typed_terms(const Formulation& formulation);
 
 /// q of a root; meaningful where the root is real.
 Eigen::VectorXd coordinates_of_root(const Formulation& formulation, const Point& root);
