@@ -201,7 +201,7 @@ class SolveSource : public BlockSource {
 
   bool answer(const PartialRoot& root, BlockRoots& roots) override {
     const System f = task_.system_above(root);
-    const auto& [tracker, asked, starts, stop] = task_.solving;
+    const auto& [tracker, asked, starts, stop, is_fine] = task_.solving;
     SolveOptions options = asked;
     const auto paths = total_degree(degrees(f));
     if (paths && *paths <= kPathsForOneThread) options.threads = 1;

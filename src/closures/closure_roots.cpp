@@ -349,7 +349,8 @@ StageRun solve_blocks(const ClosureSearch& search, const Formulation& formulatio
   const bool is_free = options.precision == Precision::automatic;
   if (is_free && is_refuted_alone(search)) options.precision = Precision::double_precision;
   const Formulation* const whole = search.mechanism.fit ? nullptr : &search.formulation;
-  const BlockSolving solving{search.tracker, options, search.options.starts, search.stop};
+  const BlockSolving solving{search.tracker, options, search.options.starts, search.stop,
+                             search.is_as_typed};
   return solve_blocks(formulation, blocks, solving, prover, {}, whole);
 }
 

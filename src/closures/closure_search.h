@@ -60,6 +60,7 @@ struct ClosureSearch {
   /// All equations are combined at random to as many as there are unknowns. Else the first ones
   /// that could determine these are solved, which may depend on each other within rounding.
   bool is_combined = false;
+  bool is_as_typed = false;  ///< to the last typed digit: what is above roots has more than double
   std::uint64_t lost_images = 0;  ///< roots whose mirror image is not among the roots
   std::uint64_t unproved =
       0;  ///< simple roots of the rounded polynomials that the mechanism as typed may not have

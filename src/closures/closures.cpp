@@ -214,13 +214,15 @@ bool moves_at_other_angles(const ClosureSearch& search) {
   return there.result.moves.has_value();
 }
 
-/// A set, or nothing decided, may be what terms that were taken for rounding leave, or an angle
-/// that was rounded: what was typed is asked again.
+/// A set, or nothing decided, may be what terms that were taken for rounding leave, or roots that
+/// were rounded below other blocks, or an angle that was: what was typed is asked again.
 void ask_as_typed(ClosureSearch& search) {
   if (!may_differ_as_typed(search)) return;
-  if (auto typed = with_typed_terms(search.formulation)) {
+  std::optional<Formulation> typed = with_typed_terms(search.formulation);
+  if (typed || (search.proves_as_typed() && search.result.stages.size() > 1)) {
     ClosureSearch again(search.mechanism, search.tracker, search.options, search.stop,
-                        std::move(*typed));
+                        typed ? std::move(*typed) : search.formulation);
+    again.is_as_typed = true;
     search_whole(again);
     keep_account(search.result, again.result);
     search.result = std::move(again.result);

@@ -11,6 +11,7 @@
 #include "moivre/certify/certifier.h"
 #include "moivre/certify/distinct.h"
 #include "moivre/closures/stages.h"
+#include "moivre/formulation/exact.h"
 #include "moivre/numeric/random.h"
 #include "moivre/polynomial/value.h"
 
@@ -458,6 +459,20 @@ std::optional<std::vector<double>> RootProver::moved_by_rounding(const KnownProo
     moved.push_back(kSureOfShake * (kRightTo / kShake) * step);
   }
   return moved;
+}
+
+std::vector<Coefficient> RootProver::fine_values(const KnownProof& proof,
+                                                 const std::vector<std::size_t>& unknowns) {
+  const KnownProof fine = proof ? work_->finer(proof) : nullptr;
+  std::vector<Coefficient> values;
+  if (!fine) return values;
+  for (const std::size_t v : unknowns) {
+    const Enclosure at = enclosure(*fine->certificate, work_->place[v]->coordinate);
+    Coefficient value = exactly(at.middle);
+    for (const Complex& part : at.finer) value = value + exactly(part);
+    values.push_back(std::move(value));
+  }
+  return values;
 }
 
 ProvedRoot RootProver::root(const KnownProof& proof) {

@@ -427,7 +427,16 @@ class Stages {
     child.accuracy = std::max(child.accuracy, solution.accuracy);
     child.condition = std::max(child.condition, solution.condition);
     prove(child);
+    if (solving_.with_fine_values && child.proof) know_finely(block, child);
     return child;
+  }
+
+  /// What is above the root may be a set, or none, by less than double rounds it.
+  void know_finely(const Block& block, PartialRoot& root) {
+    std::vector<Coefficient> fine = prover_.fine_values(root.proof, block.variables);
+    for (std::size_t k = 0; k < fine.size(); ++k) {
+      root.value[block.variables[k]] = std::make_shared<const Known>(std::move(fine[k]));
+    }
   }
 
   /// Of the prover's last group.

@@ -73,6 +73,10 @@ class RootProver {
   /// coefficients are known to rounding only, to first order. Of a proof of all unknowns; nullopt:
   /// unknown.
   std::optional<std::vector<double>> moved_by_rounding(const KnownProof& proof);
+  /// These unknowns of the last proof's group to more digits than double has; empty where that
+  /// failed.
+  std::vector<Coefficient> fine_values(const KnownProof& proof,
+                                       const std::vector<std::size_t>& unknowns);
   /// Of a proof of all unknowns.
   ProvedRoot root(const KnownProof& proof);
 

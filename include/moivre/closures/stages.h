@@ -113,6 +113,7 @@ struct BlockSolving {
   const SolveOptions& options;
   KnownStarts* starts;  ///< ClosureOptions::starts
   const std::atomic<bool>& stop;
+  bool with_fine_values = false;  ///< proved roots in more digits than double's, for blocks above
 };
 
 /// Solves the blocks in turn, and proves their roots where the prover does. `begun`: what is known
