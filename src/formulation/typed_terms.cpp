@@ -8,9 +8,8 @@ namespace moivre {
 namespace {
 
 Monomial of_unknowns(const Monomial& m, std::size_t unknowns) {
-  const auto factors = std::find_if(m.begin(), m.end(), [&](const Power& power) {
-    return power.variable >= unknowns;
-  });
+  const auto factors = std::find_if(m.begin(), m.end(),
+                                    [&](const Power& power) { return power.variable >= unknowns; });
   return {m.begin(), factors};
 }
 

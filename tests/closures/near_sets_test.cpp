@@ -62,8 +62,7 @@ TEST_P(NearlyOnePivot, HasBothClosuresProvedAndDoesNotMove) {
     EXPECT_FALSE(result.moves);
     EXPECT_EQ(result.completeness, RootCompleteness::proved);
     ASSERT_EQ(result.closures.size(), 2U) << result.message;
-    for (const double expected :
-         {GetParam().rocker_degrees, GetParam().rocker_degrees + 180}) {
+    for (const double expected : {GetParam().rocker_degrees, GetParam().rocker_degrees + 180}) {
       EXPECT_LE(std::min(turn_between(degrees_of_last_turn(result.closures[0]), expected),
                          turn_between(degrees_of_last_turn(result.closures[1]), expected)),
                 1e-3);
@@ -97,9 +96,8 @@ TEST(NearlyOnePivot, IsNotSaidToMoveWhereDigitsEnd) {
 }
 
 TEST(OnePivot, LetsCouplerAndRockerTurnTogether) {
-  for (const NearBar& bar :
-       {NearBar{"1", "1", "1", "0", 0}, NearBar{"-1", "3", "1", "180", 0},
-        NearBar{"0.3", "0.1", "0.3", "360", 0}}) {
+  for (const NearBar& bar : {NearBar{"1", "1", "1", "0", 0}, NearBar{"-1", "3", "1", "180", 0},
+                             NearBar{"0.3", "0.1", "0.3", "360", 0}}) {
     for (const ClosureResult& result : by_both_trackers(near_bar(bar))) {
       EXPECT_TRUE(result.complete) << result.message;
       ASSERT_TRUE(result.moves) << result.message;

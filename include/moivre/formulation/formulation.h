@@ -140,8 +140,9 @@ std::optional<double> share_left(const Formulation::Exclusion& exclusion,
 /// The polynomials at time t.
 Formulation formulate(const Mechanism& mechanism, double t);
 
-/// The same with every term that was typed, none of them taken for rounding; nullopt where none was.
-/// A mechanism that is meant to be special, typed with all digits of a double, is another one then.
+/// The same with every term that was typed, none of them taken for rounding; nullopt where none
+/// was. A mechanism that is meant to be special, typed with all digits of a double, is then another
+/// one.
 std::optional<Formulation> with_typed_terms(const Formulation& formulation);
 
 /// q of a root; meaningful where the root is real.
