@@ -9,6 +9,7 @@
 #include "moivre/closures/idle_joints.h"
 #include "moivre/expression/counted.h"
 #include "moivre/expression/joined.h"
+#include "moivre/kinematics/followed_motion.h"
 #include "moivre/mechanism/closure_id.h"
 #include "moivre/report/number_text.h"
 #include "moivre/report/text_blocks.h"
@@ -148,15 +149,21 @@ std::string sub_chains_text(const ClosureResult& result) {
   return text;
 }
 
-/// The pose that moves and, where it moves in one direction, along which coordinates.
+/// The pose that moves and, where it moves in one direction, along which coordinates; where motions
+/// cross, of each that was followed.
 std::string moves_text(const ClosureResult& result, const Mechanism& mechanism) {
   if (!result.moves) return "";
   std::string text = "\nmoves from this pose in " + counted(result.moves->dimension, "direction") +
                      ": " + result.moves->shown + '\n' + pose_text(mechanism, result.moves->pose);
   if (result.moves->dimension != 1) return text;
   const Phi phi(hold_idle(mechanism).mechanism);
-  const Eigen::VectorXd along = free_motion(phi, result.moves->pose, result.time);
-  return text + "  along: " + direction_text(along, mechanism) + '\n';
+  const char* which = "  along: ";
+  for (const Eigen::VectorXd& along :
+       followed_directions(phi, result.moves->pose, result.time, result.seed)) {
+    text += which + direction_text(along, mechanism) + '\n';
+    which = "  or along: ";
+  }
+  return text;
 }
 
 }  // namespace

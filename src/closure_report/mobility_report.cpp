@@ -31,12 +31,18 @@ std::string freedoms_text(Eigen::Index freedoms) {
   return counted(static_cast<std::uint64_t>(freedoms), "degree of freedom", "degrees of freedom");
 }
 
+/// "generic: " of the first one, unless the rank is higher next to it.
+std::string kind_label(const MobilityKind& kind, bool is_first) {
+  if (kind.mobility.is_singular) return "singular: ";
+  return is_first ? "generic: " : "";
+}
+
 /// A line a kind; what follows in the text is of the first.
 std::string kinds_text(const std::vector<MobilityKind>& kinds) {
   std::string text;
   for (const MobilityKind& kind : kinds) {
     const std::vector<std::string>& ids = kind.closures;
-    text += (&kind == &kinds.front() ? "generic: " : "") +
+    text += kind_label(kind, &kind == &kinds.front()) +
             freedoms_text(kind.mobility.degrees_of_freedom) + ", " +
             std::to_string(kind.mobility.driven_freedoms) + " with the drivers held: " +
             (ids.empty() ? "a pose of the set of closures"
@@ -103,8 +109,10 @@ std::string mobility_text(const Mobility& mobility, const NewtonResult& pose,
   for (const std::string& warning : mobility.warnings) text += "warning: " + warning + '\n';
   text +=
       "independent coordinates: " + joined(names_of(mobility.independent, mechanism), ", ") + '\n';
+  // Where rank is lost not every null vector is the direction of a motion.
+  const std::string moves = mobility.is_singular ? "free to first order along: " : "moves along: ";
   for (Eigen::Index k = 0; k < mobility.null_space.cols(); ++k) {
-    text += "moves along: " + direction_text(mobility.null_space.col(k), mechanism) + '\n';
+    text += moves + direction_text(mobility.null_space.col(k), mechanism) + '\n';
   }
   return text + "pose:\n" + pose_text(mechanism, pose.q);
 }

@@ -13,6 +13,7 @@
 #include "closure_sentences.h"
 #include "fitted_poses.h"
 #include "moivre/closures/idle_joints.h"
+#include "moivre/kinematics/local_dimension.h"
 #include "moivre/mechanism/drawn_pose.h"
 #include "moivre/mechanism/driver_law.h"
 #include "moivre/numeric/invalid_input.h"
@@ -52,7 +53,8 @@ void add_mobility(const Phi& phi, double fit, bool is_wanted, ClosureResult& res
   if (!result.closures.empty()) {
     result.mobility = constraint_rank(phi, result.closures.front().q, result.time, fit);
   } else if (result.moves) {
-    result.mobility = constraint_rank(phi, result.moves->pose, result.time, fit);
+    const Eigen::VectorXd q = generic_pose(phi, result.moves->pose, result.time, result.seed);
+    result.mobility = constraint_rank(phi, q, result.time, fit);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "moivre/kinematics/local_dimension.h"
 #include "moivre/kinematics/own_units.h"
 
 namespace moivre {
@@ -48,7 +49,11 @@ std::vector<MobilityKind> mobility_kinds(const Mechanism& mechanism, const Closu
     return entry->second;
   };
   for (const Closure& closure : result.closures) enter(closure.q).closures.push_back(closure.id);
-  if (result.moves) enter(result.moves->pose);
+  if (result.moves) {
+    const Eigen::VectorXd& q = result.moves->pose;
+    enter(generic_pose(phi, q, result.time, result.seed));
+    enter(q);
+  }
   std::vector<MobilityKind> found;
   for (auto& entry : kinds) {
     entry.second.mobility = mobility(phi, entry.second.q, result.time, fit);

@@ -6,11 +6,13 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 
 #include "moivre/expression/counted.h"
 #include "moivre/factorization/qr.h"
 #include "moivre/factorization/svd.h"
+#include "moivre/kinematics/followed_motion.h"
 #include "moivre/kinematics/null_space.h"
 #include "moivre/kinematics/own_units.h"
 #include "moivre/kinematics/state.h"
@@ -25,7 +27,8 @@ using Eigen::VectorXd;
 
 // Singular value relative to the largest, of the equilibrated matrix: below it, a warning.
 constexpr double kNearSingular = 1e-5;
-constexpr double kNegligible = 1e-9;  // share of a row in a combination: rounding
+constexpr std::uint64_t kFollowSeed = 1;  // of a body's motion alone, in few coordinates
+constexpr double kNegligible = 1e-9;      // share of a row in a combination: rounding
 constexpr double kNeighbourStep =
     1e-2;  // step along R relative to the pose's size: far enough to see a rank, near enough
            // for Newton to come back to the same branch
@@ -67,36 +70,61 @@ std::vector<RedundantRow> redundant_rows(const Phi& joints, const MatrixXd& rows
   return found;
 }
 
-/// Directions in which one group of coordinates moves alone, drivers held.
-std::vector<IdleFreedom> idle_freedoms(const Phi& phi, const MatrixXd& rows, double tolerance) {
+/// An assembled pose and the rank of the joints' Phi_q there.
+struct RankedPose {
+  Index rank = 0;
+  VectorXd q;
+};
+
+/// Directions in which one group of coordinates moves alone, drivers held. Null vectors at a
+/// singular pose may be no motions: `generic`, next to q or q itself, says how many are, and what
+/// is followed along which.
+std::vector<IdleFreedom> idle_freedoms(const Phi& phi, const VectorXd& q, double t,
+                                       double tolerance, const VectorXd& generic) {
   std::vector<IdleFreedom> found;
-  const MatrixXd J = in_own_units(phi, rows);
+  const MatrixXd J = in_own_units(phi, phi.jacobian(q, t));
+  const MatrixXd nearby = in_own_units(phi, phi.jacobian(generic, t));
   const VectorXd unit = phi.own_units();
   for (std::size_t group = 0; group < phi.group_names().size(); ++group) {
     std::vector<Index> own;
     for (std::size_t k = 0; k < phi.coordinates().size(); ++k) {
       if (phi.coordinates()[k].group == group) own.push_back(static_cast<Index>(k));
     }
-    const MatrixXd alone = null_space(J(Eigen::all, own), tolerance);
-    for (Index column = 0; column < alone.cols(); ++column) {
-      VectorXd direction = VectorXd::Zero(J.cols());
-      direction(own) = alone.col(column).cwiseProduct(unit(own)).normalized();
-      found.push_back({phi.group_names()[group], direction});
+    const auto tell = [&](const MatrixXd& alone) {
+      for (Index column = 0; column < alone.cols(); ++column) {
+        VectorXd direction = VectorXd::Zero(J.cols());
+        direction(own) = alone.col(column).cwiseProduct(unit(own)).normalized();
+        found.push_back({phi.group_names()[group], direction});
+      }
+    };
+    const MatrixXd here = null_space(J(Eigen::all, own), tolerance);
+    const MatrixXd there = null_space(nearby(Eigen::all, own), tolerance);
+    if (here.cols() <= there.cols()) {
+      tell(here);
+      continue;
+    }
+    std::vector<VectorXd> followed;
+    if (there.cols() == 1) followed = followed_directions(phi, q, t, kFollowSeed, own);
+    if (followed.empty()) {
+      tell(there);
+    } else {
+      found.push_back({phi.group_names()[group], followed.front().normalized()});
     }
   }
   return found;
 }
 
-/// The largest rank at assembled poses next to q. Each coordinate that R moves is held a step away
-/// (both ways) while Newton assembles the others: without holding one, Newton would fall back onto
-/// a singular q.
-Index rank_next_to(const Phi& joints, const VectorXd& q, double t, const Mobility& m, double fit) {
+/// The assembled pose next to q, or q itself, that has the largest rank. Each coordinate that R
+/// moves is held a step away (both ways) while Newton assembles the others: without holding one,
+/// Newton would fall back onto a singular q.
+RankedPose generic_next_to(const Phi& joints, const VectorXd& q, double t, const Mobility& m,
+                           double fit) {
   constexpr double kMoves = 1e-2;  // share of a coordinate in R below which it hardly moves
   const double step = kNeighbourStep * std::max(1.0, q.lpNorm<Eigen::Infinity>());
   const double tolerance = rank_tolerance(joints, fit);
   const MatrixXd& R = m.null_space;
-  Index largest = m.rank;
-  for (Index k = 0; k < q.size() && largest < joints.size(); ++k) {
+  RankedPose best = {m.rank, q};
+  for (Index k = 0; k < q.size() && best.rank < joints.size(); ++k) {
     const VectorXd along = R * R.row(k).transpose();
     if (along[k] < kMoves) continue;
     NewtonOptions hold;
@@ -106,10 +134,11 @@ Index rank_next_to(const Phi& joints, const VectorXd& q, double t, const Mobilit
       const bool is_near =
           neighbour.status == NewtonStatus::no_solution && misfit(joints, neighbour.q, t) <= fit;
       if (neighbour.status != NewtonStatus::converged && !is_near) continue;
-      largest = std::max(largest, rank_of(joints, joints.jacobian(neighbour.q, t), tolerance));
+      const Index rank = rank_of(joints, joints.jacobian(neighbour.q, t), tolerance);
+      if (rank > best.rank) best = {rank, neighbour.q};
     }
   }
-  return largest;
+  return best;
 }
 
 std::vector<std::string> warnings_of(const Mobility& m) {
@@ -182,7 +211,6 @@ Mobility mobility(const Phi& phi, const VectorXd& q, double t, double fit) {
   require_place(phi, q, t);
   const Phi joints = phi.without_drivers();
   const MatrixXd J = joints.jacobian(q, t);
-  const MatrixXd all_rows = phi.jacobian(q, t);
   const double tolerance = rank_tolerance(joints, fit);
   Mobility m;
   m.coordinates = joints.dimension();
@@ -191,7 +219,7 @@ Mobility mobility(const Phi& phi, const VectorXd& q, double t, double fit) {
   m.rank = rank_of(joints, J, tolerance);
   m.degrees_of_freedom = m.coordinates - m.rank;
   m.gruebler = m.coordinates - m.constraints;
-  m.driven_freedoms = m.coordinates - rank_of(phi, all_rows, tolerance);
+  m.driven_freedoms = m.coordinates - rank_of(phi, phi.jacobian(q, t), tolerance);
   if (J.size() != 0) m.singular_values = singular_values(equilibrated(in_own_units(joints, J)));
   const double floor = m.singular_values.size() == 0 ? 0 : tolerance * m.singular_values[0];
   m.rank_by_svd = (m.singular_values.array() > floor).count();
@@ -199,15 +227,17 @@ Mobility mobility(const Phi& phi, const VectorXd& q, double t, double fit) {
   m.null_space = null_space_of(joints, J, tolerance);
   m.left_null_space = left_null_space_of(joints, J, tolerance);
   m.force_directions = -J.transpose();
-  m.idle = idle_freedoms(phi, all_rows, tolerance);
   m.independent = independent_columns(in_own_units(joints, J), m.rank);
   m.row_names = joints.row_names();
   m.is_near_singular =
       m.rank > 0 && m.singular_values[m.rank - 1] < kNearSingular * m.singular_values[0];
   m.misfit = misfit(phi, q, t);
   m.is_assembled = residual_by_size(joints, q, t) <= kAssembled || m.misfit <= fit;
-  m.rank_nearby = m.is_assembled ? rank_next_to(joints, q, t, m, fit) : m.rank;
+  const RankedPose generic =
+      m.is_assembled ? generic_next_to(joints, q, t, m, fit) : RankedPose{m.rank, q};
+  m.rank_nearby = generic.rank;
   m.is_singular = m.rank_nearby > m.rank;
+  m.idle = idle_freedoms(phi, q, t, tolerance, generic.q);
   m.warnings = warnings_of(m);
   return m;
 }

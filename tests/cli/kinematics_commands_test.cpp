@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "../mechanism/files.h"
 #include "refusing.h"
 
 namespace moivre::test {
@@ -275,6 +276,50 @@ at = ["ground.O", "crank.O"]
   const Outcome outcome = scene.run({"closures", "free.toml"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(has_line(outcome.out, "  along: crank.phi 1")) << outcome.out;
+}
+
+// The drawn pose is where the rank is lower than next to it: to first order the body could turn.
+TEST_F(KinematicsCommands, ClosuresTellNoDirectionInWhichNothingMoves) {
+  scene.write("rods.toml", collinear_rods_text("[0, 0] [2, 0] [5, 0]", 2));
+  const Outcome outcome = scene.run({"closures", "rods.toml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(has_line(outcome.out, "  along: p.y 5")) << outcome.out;
+}
+
+TEST_F(KinematicsCommands, ClosuresWhereMotionsCrossTellEachDirection) {
+  std::string text =
+      read_source(std::string(MOIVRE_SOURCE_DIR) + "/problems/mechanisms/parallelogram.toml").text;
+  text.replace(text.find("[[driver]]"), text.find("[guess]") - text.find("[[driver]]"), "");
+  scene.write("loose.toml", text);
+  const Outcome outcome = scene.run({"closures", "loose.toml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto parallel = "along: crank.phi 0.666667, coupler.y 1.333333, rocker.phi 0.666667\n";
+  EXPECT_NE(outcome.out.find(parallel), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("  or along: "), std::string::npos) << outcome.out;
+}
+
+TEST_F(KinematicsCommands, MobilityOfASetOfClosuresIsThatOfMostOfThem) {
+  scene.write("rods.toml", collinear_rods_text("[0, 0] [2, 0] [5, 0]", 2));
+  const Outcome outcome = scene.run({"mobility", "rods.toml", "--json", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json report = Json::parse(outcome.out);
+  EXPECT_EQ(report["degrees_of_freedom"], 1);
+  EXPECT_EQ(report["generic_degrees_of_freedom"], 1);
+  EXPECT_FALSE(report["singular"]);
+  ASSERT_EQ(report["idle"].size(), 1U);
+  EXPECT_EQ(report["idle"][0]["direction"][2], 0);
+}
+
+TEST_F(KinematicsCommands, MobilityCallsNoSingularPoseGeneric) {
+  scene.write("rods.toml", collinear_rods_text("[0, 0] [2, 0] [5, 0]", 2));
+  const std::string all = scene.run({"mobility", "rods.toml"}).out;
+  const std::string of_set = " with the drivers held: a pose of the set of closures";
+  EXPECT_TRUE(has_line(all, "generic: 1 degree of freedom, 1" + of_set)) << all;
+  EXPECT_TRUE(has_line(all, "singular: 2 degrees of freedom, 2" + of_set)) << all;
+  const std::string there =
+      scene.run({"mobility", "rods.toml", "--guess", "p.x=2", "--guess", "p.y=0"}).out;
+  EXPECT_TRUE(has_line(there, "idle: p, along p.y 1")) << there;
+  EXPECT_EQ(there.find("\nmoves along: "), std::string::npos) << there;
 }
 
 }  // namespace

@@ -89,6 +89,25 @@ TEST(Mobility, ParallelogramAtItsChangePointIsSingularNotFreer) {
   EXPECT_EQ(m.rank_nearby, 8);
 }
 
+TEST(Mobility, WhatIsIdleAtASingularPoseIsSoNextToItAndAlongItsMotion) {
+  const Phi phi(test::collinear_rods("[0, 0] [2, 0] [5, 0]", 2));
+  const Mobility m = mobility(phi, Eigen::Vector3d(2, 0, 0));
+  EXPECT_TRUE(m.is_singular);
+  EXPECT_EQ(m.rank_nearby, 2);
+  ASSERT_EQ(m.idle.size(), 1U);
+  EXPECT_LT((m.idle[0].direction - Eigen::Vector3d(0, 1, 0)).norm(), 1e-7);
+}
+
+// Two lines cross at the origin: each unknown moves alone to first order, and neither really.
+TEST(Mobility, WhatMovesAloneToFirstOrderOnlyIsNotIdle) {
+  const Phi phi(
+      typed("[unknowns]\nlengths = [\"x\", \"y\"]\n[equations]\na = \"x*x + x*y - 2*y*y\"\n"));
+  const Mobility m = mobility(phi, VectorXd::Zero(2));
+  EXPECT_TRUE(m.is_singular);
+  EXPECT_EQ(m.degrees_of_freedom, 2);
+  EXPECT_TRUE(m.idle.empty());
+}
+
 TEST(Mobility, PoseNearAChangePointIsWarnedOf) {
   Mechanism m = example("parallelogram");
   const Phi phi(m);

@@ -18,6 +18,29 @@ inline Mechanism typed(const std::string& text) {
   return read_mechanism(Source{"typed.toml", text});
 }
 
+/// Three rods of one length from points of the ground, typed "[0, 0] [2, 0] [5, 0]", to the same of
+/// a body: in line they let it move on a circle without turning.
+inline std::string collinear_rods_text(const std::string& points, double length) {
+  std::string ground = "[ground.points]\n";
+  std::string body = "[body.p.points]\n";
+  std::string rods;
+  std::size_t begin = 0;
+  for (const char* const name : {"0", "1", "2"}) {
+    const std::size_t end = points.find(']', begin) + 1;
+    const std::string point = points.substr(begin, end - begin);
+    begin = end + 1;
+    ground += std::string("A") + name + " = " + point + '\n';
+    body += std::string("B") + name + " = " + point + '\n';
+    rods += std::string("[[joint]]\ntype = \"rod\"\nat = [\"ground.A") + name + "\", \"p.B" + name +
+            "\"]\nlength = " + std::to_string(length) + '\n';
+  }
+  return ground + body + rods;
+}
+
+inline Mechanism collinear_rods(const std::string& points, double length) {
+  return typed(collinear_rods_text(points, length));
+}
+
 /// Links of 2 and 1 on pivots `base` apart, pinned at their tips: from 1 to 3 a triangle, there and
 /// at 1 folded.
 inline std::string triangle_text(const std::string& base) {

@@ -151,7 +151,8 @@ struct ClosureResult {
   std::vector<SubChain>
       sub_chains;          ///< two or more, or none: then the mechanism was solved as a whole
   bool all_listed = true;  ///< false: closures or solutions are more than kMostListed
-  /// Where it was asked for: at the first closure; at moves->pose where there is none.
+  /// Where it was asked for: at the first closure; where there is none at moves->pose, or where the
+  /// rank is higher next to it on the set.
   std::optional<ConstraintRank> mobility;
   Eigen::Index coordinates = 0;  ///< n
   Eigen::Index constraints = 0;  ///< m, without drivers

@@ -3,8 +3,9 @@
 // others.
 //
 // Closures of the same ranks, with the drivers and without them, are one kind. The generic kind has
-// the highest rank: its degrees of freedom hold nearly everywhere. If closures form a set, the pose
-// found on the set is one more closure.
+// the highest rank: its degrees of freedom hold nearly everywhere, unless the rank is higher next
+// to it: then no closure is generic (Mobility::is_singular). If closures form a set, the pose found
+// on the set is one more closure, and so is the one next to it on the set of the highest rank.
 #pragma once
 
 #include <optional>
@@ -22,7 +23,7 @@ struct MobilityKind {
   Mobility mobility;                  ///< there
 };
 
-/// The generic kind first; empty where there is no closure.
+/// The kind of the highest rank first; empty where there is no closure.
 std::vector<MobilityKind> mobility_kinds(const Mechanism& mechanism, const ClosureResult& result);
 
 /// The mobility of a mechanism, and of which pose it is.

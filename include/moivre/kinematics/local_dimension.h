@@ -33,4 +33,9 @@ struct LocalDimension {
 LocalDimension local_dimension(const Phi& phi, const Eigen::VectorXd& q, double t = 0,
                                std::uint64_t seed = 1);
 
+/// A pose on the set of poses around q where Phi_q has the highest rank that slices find: q itself
+/// where none of theirs has a higher one.
+Eigen::VectorXd generic_pose(const Phi& phi, const Eigen::VectorXd& q, double t = 0,
+                             std::uint64_t seed = 1);
+
 }  // namespace moivre

@@ -13,7 +13,8 @@
 // zero, and a pose that misses by no more than fit, drivers included, as assembled.
 // A singular pose (a dead point, a bifurcation) has a lower rank than the poses near it. It is
 // found by stepping along R and correcting back to the constraints. A pose near a singular one
-// gives a warning.
+// gives a warning. There R is what constraints see nothing of to first order: not all of it need be
+// motion.
 #pragma once
 
 #include <string>
@@ -53,10 +54,13 @@ struct ConstraintRank {
 ConstraintRank constraint_rank(const Phi& phi, const Eigen::VectorXd& q, double t = 0,
                                double fit = 0);
 
-/// A body (or unknown) that can move while all others stand still, and that no driver holds.
+/// A body (or unknown) that can move while all others stand still, and that no driver holds. At a
+/// singular pose: that can next to it, too.
 struct IdleFreedom {
   std::string name;
-  Eigen::VectorXd direction;  ///< q' of length 1, zero but for this body
+  /// q' of length 1, zero but for this body. At a singular pose along the motion that was followed
+  /// through it; next to it where none was.
+  Eigen::VectorXd direction;
 };
 
 struct Mobility {
