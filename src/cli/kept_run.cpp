@@ -217,7 +217,7 @@ int KeptRun::deliver(const std::vector<Form>& forms, bool quiet, const Content& 
     return exit_code;
   }
   ledger_->close_observations();
-  if (part_ && part_->waits_for_others()) return deliver_part(quiet);
+  if (part_ && part_->is_done()) return deliver_part(quiet);
   if (is_asked_to_stop()) {
     moivre::deliver(forms, quiet, text, unfinished);
   } else {

@@ -183,7 +183,7 @@ std::vector<std::optional<Point>> follow_roots(const System& system, const Point
                           : std::unique_ptr<JobShares>();
   if (shares) {
     follow_shared(batch, *shares, follower);
-    batch.observations->lists_are_done();
+    if (!follower.stop) batch.observations->lists_are_done();
   } else {
     follow(batch, follower.tracker, follower);
     follow_lost(batch, follower);

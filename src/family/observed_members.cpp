@@ -140,7 +140,7 @@ std::vector<MemberRoots> observe_members(const MembersTask& task, std::span<cons
   do_jobs({list_of(task, members), members.size(), block_of(task), least_block_of(task), take,
            solve_block},
           *task.options.observations, stop);
-  task.options.observations->lists_are_done();
+  if (!stop) task.options.observations->lists_are_done();
   return results;
 }
 

@@ -67,7 +67,9 @@ std::unique_ptr<JobShares> PartOfLists::share(const Fingerprint& /*list*/, std::
 }
 
 void PartOfLists::lists_are_done() {
-  if (waits_for_others_) stop_run_();
+  if (!waits_for_others_) return;
+  is_done_ = true;
+  stop_run_();
 }
 
 }  // namespace moivre

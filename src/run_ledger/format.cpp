@@ -52,7 +52,7 @@ std::string differences(const RunIdentity& kept, const RunIdentity& asked) {
     const std::string is = value_of(now, name);
     if (was == is) continue;
     text += (text.empty() ? "" : "; ") + name + " was " + was + " and is " + is;
-    if (name == asked.front().first) break;
+    if (!asked.empty() && name == asked.front().first) break;
   }
   return text;
 }

@@ -16,7 +16,7 @@
 namespace moivre {
 
 LedgerReading::LedgerReading(const std::string& path)
-    : file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+    : file_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {
   if (file_ < 0) {
     throw std::invalid_argument("cannot read the ledger " + path + ": " + std::strerror(errno));
   }

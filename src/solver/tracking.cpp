@@ -57,7 +57,8 @@ void follow(Run& run, const PathProblem& problem, const PathList& paths, int tol
     // Ends that wait to be refined take much more memory than roots.
     judge_ends(run, unproved);
   }
-  if (setting.options.observations != nullptr) setting.options.observations->lists_are_done();
+  Observations* const observations = setting.options.observations;
+  if (observations != nullptr && !setting.stop) observations->lists_are_done();
   // What was refined after a stop is not proved.
   if (ended < paths.count || setting.stop) run.interrupted = true;
   if (!has_memory) run.interrupted = run.out_of_memory = true;

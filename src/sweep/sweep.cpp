@@ -147,7 +147,7 @@ class Sweep {
       });
       require_none_refused();
     });
-    observations->lists_are_done();
+    if (!stop_) observations->lists_are_done();
   }
 
   /// Between a and b, which differ in the number `along`, to `width`.

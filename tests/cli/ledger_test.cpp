@@ -202,6 +202,18 @@ TEST(KeptRun, APartThatIsNoneIsRefused) {
   EXPECT_TRUE(contains(lost.err, "give --ledger PATH, another one for each part")) << lost.err;
 }
 
+// Of the first block the part is done when the run is ended.
+TEST(KeptRun, APartThatIsInterruptedIsNotToldAsDone) {
+  const Scene scene;
+  scene.write("f.phc", cyclic(8));
+  const Words call{"solve", "f.phc",    "--start", "total-degree", "--tracker",
+                   "lanes", "--ledger", "part.db", "--part",       "1/2"};
+  const Outcome outcome = scene.run(with(call, {"--threads", "1", "--time-limit", "0.7"}));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_FALSE(contains(outcome.out, "is kept in part.db")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.err, "the time limit of 0.7 s was reached")) << outcome.err;
+}
+
 // There is nothing to share.
 TEST(KeptRun, APartOfShortWorkIsAllOfIt) {
   const Scene scene;

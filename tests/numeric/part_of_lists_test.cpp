@@ -71,9 +71,10 @@ TEST(PartOfLists, StopsBehindListsOfWhichOthersJobsAreMissing) {
   done_of(part, kList, 4);
   EXPECT_EQ(done_of(part, kNext, 4), (std::vector<std::size_t>{0, 2}));
   EXPECT_EQ(stops, 0);
-  EXPECT_TRUE(part.waits_for_others());
+  EXPECT_FALSE(part.is_done());
   part.lists_are_done();
   EXPECT_EQ(stops, 1);
+  EXPECT_TRUE(part.is_done());
 }
 
 TEST(PartOfLists, GoesOnWhereNothingIsMissing) {
@@ -83,7 +84,7 @@ TEST(PartOfLists, GoesOnWhereNothingIsMissing) {
   PartOfLists part(kept, {1, 2}, [] { FAIL(); });
   EXPECT_EQ(done_of(part, kList, 4), (std::vector<std::size_t>{0, 2}));
   part.lists_are_done();
-  EXPECT_FALSE(part.waits_for_others());
+  EXPECT_FALSE(part.is_done());
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ class Observations {
   virtual std::unique_ptr<JobShares> share(const Fingerprint& /*list*/, std::uint64_t /*jobs*/) {
     return nullptr;
   }
-  /// Lists that depend on none of each other's outcomes are done, as far as this process can; what
-  /// comes next depends on them all. Thread-safe.
+  /// Lists of which none depends on another are done, as far as this process can, and no stop has
+  /// cut them short; what comes next depends on them all. Thread-safe.
   virtual void lists_are_done() {}
 
   void keep(const Fingerprint& list, const JobOutcome& outcome) { keep(list, {&outcome, 1}); }

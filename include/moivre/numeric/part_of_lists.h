@@ -34,14 +34,15 @@ class PartOfLists : public Observations {
   std::unique_ptr<JobShares> share(const Fingerprint& list, std::uint64_t jobs) override;
   void lists_are_done() override;
 
-  /// Its part of some list is done, and others' parts are missing.
-  bool waits_for_others() const { return waits_for_others_; }
+  /// Its part is done, and others' parts are missing.
+  bool is_done() const { return is_done_; }
 
  private:
   Observations& kept_;
   JobPart part_;
   std::function<void()> stop_run_;
   std::atomic<bool> waits_for_others_{false};
+  std::atomic<bool> is_done_{false};
 };
 
 }  // namespace moivre
