@@ -33,9 +33,10 @@ constexpr const char* kFunction = R"bash(_moivre() {
     words*) mapfile -t COMPREPLY < <(compgen -W "${taken#words}" -- "$word") ;;
     file) mapfile -t COMPREPLY < <(compgen -f -- "$word") ;;
     folder) mapfile -t COMPREPLY < <(compgen -d -- "$word") ;;
+    either*) mapfile -t COMPREPLY < <(compgen -W "${taken#either}" -- "$word"; compgen -f -- "$word") ;;
   esac
   case $taken in
-    file | folder) compopt -o filenames 2>/dev/null ;;
+    file | folder | either*) compopt -o filenames 2>/dev/null ;;
   esac
   return 0
 }
@@ -65,7 +66,7 @@ std::string taken_by_place(const ManualCommand& command) {
   for (const ManualCommand& below : command.commands) {
     names.push_back(below.name.substr(command.name.size() + 1));
   }
-  return "words " + joined(names, " ");
+  return (command.arguments.empty() ? "words " : "either ") + joined(names, " ");
 }
 
 std::string is_command(const ManualCommand& program) {

@@ -61,11 +61,10 @@ std::string option_line(const ManualOption& option) {
 std::string arguments_call(const ManualCommand& command) {
   std::string text = "  _arguments -s -S";
   for (const ManualOption& option : command.options) text += " \\\n" + option_line(option);
-  for (std::size_t k = 0; k < command.arguments.size(); ++k) {
-    const ManualOption& argument = command.arguments[k];
+  if (!command.commands.empty()) return text + " \\\n    '1: :->command' '*:: :->rest'\n";
+  for (const ManualOption& argument : command.arguments) {
     text += std::string(" \\\n    '") + (argument.repeated ? "*" : "") + action(argument) + "'";
   }
-  if (!command.commands.empty()) text += " \\\n    '1: :->command' '*:: :->rest'";
   return text + '\n';
 }
 
@@ -80,9 +79,9 @@ std::string function(const ManualCommand& command) {
     text += "        '" + name + ':' + escaped(below.sentence) + "'\n";
     calls += "        " + name + ") " + function_of(below) + " ;;\n";
   }
-  return text +
-         "      )\n      _describe command commands ;;\n    rest)\n      case $line[1] in\n" +
-         calls + "      esac ;;\n  esac\n}\n";
+  const std::string or_file = command.arguments.empty() ? "" : "; _files";
+  return text + "      )\n      _describe command commands" + or_file +
+         " ;;\n    rest)\n      case $line[1] in\n" + calls + "      esac ;;\n  esac\n}\n";
 }
 
 }  // namespace

@@ -115,6 +115,7 @@ class Bash(unittest.TestCase):
         self.assertEqual(bash_completes("moivre", "so"), ["solve"])
         self.assertEqual(sorted(bash_completes("moivre", "")), sorted(c for c in COMMANDS if c and " " not in c))
         self.assertEqual(sorted(bash_completes("moivre", "family", "")), ["info", "learn", "solve"])
+        self.assertEqual(bash_completes("moivre", "ledger", "mer"), ["merge"])
 
     def test_completes_every_option_of_every_command(self):
         for command in COMMANDS:
