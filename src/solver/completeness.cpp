@@ -260,6 +260,12 @@ std::vector<std::uint64_t> spare_paths(Run& run, Places& places) {
   return spare;
 }
 
+std::uint64_t ends_at_roots(const Run& run) {
+  std::uint64_t ends = 0;
+  for (const JudgedRoot& judged : judge(run).roots) ends += judged.paths.size();
+  return ends;
+}
+
 }  // namespace
 
 std::uint64_t terms_instead_of(const Run& run, const PathSet& paths) {
@@ -274,6 +280,15 @@ std::uint64_t terms_instead_of(const Run& run, const PathSet& paths) {
 
 bool is_longest_algebra_worth_it(const Run& run) {
   return !run.waiting.empty() && terms_worth_looking_at(run) >= kMostTerms;
+}
+
+bool are_ends_as_many_as_bound(const Run& run) {
+  const auto& [total_degree, multihomogeneous, mixed_volume] = run.setting.prepared.start.counts;
+  const QuotientRing& ring = run.bounds.ring;
+  const std::uint64_t ends = ends_at_roots(run);
+  return ends == total_degree.paths || ends == multihomogeneous.paths ||
+         ends == mixed_volume.paths || ends == run.bounds.volume ||
+         (ring.verdict == QuotientRing::Verdict::finite && ends == ring.dimension);
 }
 
 bool settle_by_bound(Run& run) {
@@ -300,9 +315,7 @@ bool is_root_missing(Run& run) {
 bool lacks_ends(const Run& run) {
   const QuotientRing& ring = run.bounds.ring;
   if (ring.verdict != QuotientRing::Verdict::finite) return false;
-  std::uint64_t ends = run.table.count(PathVerdict::as_rounded);
-  for (const JudgedRoot& judged : judge(run).roots) ends += judged.paths.size();
-  return ends < ring.dimension;
+  return run.table.count(PathVerdict::as_rounded) + ends_at_roots(run) < ring.dimension;
 }
 
 void look_for_ring(Run& run) {

@@ -35,6 +35,10 @@ std::uint64_t terms_instead_of(const Run& run, const PathSet& paths);
 /// Following on what waits takes longer than all that exact algebra may look at.
 bool is_longest_algebra_worth_it(const Run& run);
 
+/// As many paths end at roots, several at a cluster, as a bound that is known allows: where proofs
+/// part the clusters it is met.
+bool are_ends_as_many_as_bound(const Run& run);
+
 /// Where a proved bound is met nothing is left in doubt: one path ends at each proved root, at each
 /// exact one (exact_roots.h) as many as its multiplicity, some on sets of positive dimension; every
 /// other ends at no isolated root, and is not needed.

@@ -179,6 +179,11 @@ Root proved_root(Refiner& refiner, std::shared_ptr<const Certificate> proof) {
   return root;
 }
 
+Point where_it_waits(const Run& run, const EndgameStart& endgame_start) {
+  const auto& [x, radius, frame] = endgame_start;
+  return x.empty() ? Point() : to_original(run.setting.prepared, outside(frame, x));
+}
+
 void count_following(Run& run, std::uint64_t path, const PathEnd& end) {
   run.work += end.count;
   run.table.count_following(path, end.count, end.stage, end.is_taken_up);

@@ -13,6 +13,9 @@
 
 namespace moivre {
 
+/// The affine point from which the path is followed on; empty where that is its start.
+Point where_it_waits(const Run& run, const EndgameStart& endgame_start);
+
 /// What one more following of the path, or of the rest of its way, took.
 void count_following(Run& run, std::uint64_t path, const PathEnd& end);
 

@@ -9,6 +9,7 @@
 
 #include "certificates.h"
 #include "completeness.h"
+#include "ends.h"
 #include "judge.h"
 #include "moivre/certify/ring_points.h"
 #include "places.h"
@@ -69,10 +70,7 @@ std::vector<ExactRoot> multiple_roots(const Run& run, const std::vector<RingPoin
 /// Empty where nothing was seen.
 Point last_seen(const Run& run, std::uint64_t path) {
   const auto waiting = run.waiting.find(path);
-  if (waiting != run.waiting.end()) {
-    const auto& [x, radius, frame] = waiting->second;
-    return x.empty() ? Point() : to_original(run.setting.prepared, outside(frame, x));
-  }
+  if (waiting != run.waiting.end()) return where_it_waits(run, waiting->second);
   const auto root = run.table.roots().find(path);
   if (root != run.table.roots().end()) return root->second.point.x;
   const auto last = run.table.last_points().find(path);

@@ -33,7 +33,7 @@ constexpr Remedy kRemedies[]{
 /// algebra counts: what is open leads to none. No proof: of a multiple root the paths tell that it
 /// is one.
 bool settle_by_count(Run& run) {
-  if (run.interrupted || !are_as_counted(run)) return false;
+  if (run.interrupted || !run.waiting.empty() || !are_as_counted(run)) return false;
   for (const auto& [path, question] : judge_ends_alone(run).open) run.table.leave(path);
   return true;
 }

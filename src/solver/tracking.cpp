@@ -4,8 +4,12 @@
 #include "tracking.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
 #include <utility>
 
+#include "clusters.h"
 #include "completeness.h"
 #include "ends.h"
 #include "missing_roots.h"
@@ -105,13 +109,47 @@ PathSet raise_with(Run& run, const Tracker& tracker, PathPrecision precision, Ta
   return undecided;
 }
 
-/// Whether the others lead to no further root.
+/// Whether what waits leads to no further root.
 bool needs_no_more_effort(Run& run) {
   if (run.setting.options.every_path) return false;
   if (settle_by_bound(run)) return true;
   if (!is_longest_algebra_worth_it(run)) return false;
+  if (are_ends_as_many_as_bound(run)) part_clusters_in_more_bits(run);
   give_missing_roots(run);
   return settle_by_bound(run);
+}
+
+/// What waits, by the size of the affine point where it does: most of what grows goes to infinity.
+/// First comes what has been at an end that it did not prove.
+std::vector<std::uint64_t> waiting_by_size(const Run& run) {
+  std::vector<std::pair<double, std::uint64_t>> by_size;
+  by_size.reserve(run.waiting.size());
+  for (const auto& [path, endgame_start] : run.waiting) {
+    const Point x = where_it_waits(run, endgame_start);
+    const double size = x.empty() ? 0 : max_norm(x);
+    by_size.emplace_back(std::isnan(size) ? std::numeric_limits<double>::infinity() : size, path);
+  }
+  std::sort(by_size.begin(), by_size.end());
+  std::vector<std::uint64_t> paths;
+  paths.reserve(by_size.size());
+  for (const auto& [size, path] : by_size) paths.push_back(path);
+  return paths;
+}
+
+/// Takes these out of run.waiting and follows them on from where each stands, else from its start.
+void follow_on(Run& run, const PathProblem& problem, std::span<const std::uint64_t> paths) {
+  EndgameStarts starts;
+  PathSet stand_at_endgame_starts;
+  PathSet begin_again;
+  for (const std::uint64_t path : paths) {
+    auto node = run.waiting.extract(path);
+    (node.mapped().x.empty() ? begin_again : stand_at_endgame_starts).insert(path);
+    starts.insert(std::move(node));
+  }
+  const int tolerance_level = run.setting.options.tolerance_level;
+  follow(run, problem, stand_at_endgame_starts, tolerance_level, taking_ends(run), Unproved::fails,
+         &starts);
+  follow(run, problem, begin_again, tolerance_level, taking_ends(run));
 }
 
 }  // namespace
@@ -142,16 +180,13 @@ void track_waiting(Run& run, Effort effort) {
   run.effort = effort;
   const PathProblem problem{*setting.prepared.plan, setting.tracker(),
                             endgame_for(setting, effort)};
-  const EndgameStarts waiting = std::exchange(run.waiting, {});
-  PathSet stand_at_endgame_starts;
-  PathSet begin_again;
-  for (const auto& [path, endgame_start] : waiting) {
-    (endgame_start.x.empty() ? begin_again : stand_at_endgame_starts).insert(path);
+  const std::vector<std::uint64_t> waiting = waiting_by_size(run);
+  const std::size_t together = paths_together(problem);
+  for (std::size_t first = 0; first < waiting.size() && !run.interrupted; first += together) {
+    if (first > 0 && needs_no_more_effort(run)) break;
+    const std::size_t count = std::min(together, waiting.size() - first);
+    follow_on(run, problem, std::span(waiting).subspan(first, count));
   }
-  const int tolerance_level = setting.options.tolerance_level;
-  follow(run, problem, stand_at_endgame_starts, tolerance_level, taking_ends(run), Unproved::fails,
-         &waiting);
-  follow(run, problem, begin_again, tolerance_level, taking_ends(run));
   run.effort = Effort::all_steps;
 }
 
