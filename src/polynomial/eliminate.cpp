@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "elimination_block.h"
 #include "elimination_combine.h"
 #include "elimination_pivot.h"
 #include "elimination_state.h"
@@ -80,20 +81,6 @@ double log2_promise(const State& s) {
   }
   work.unknowns = unknowns_left(s);
   return paths_log2 + std::log2(std::max(total(work), 1.0));
-}
-
-Substitution to_substitution(const AffineForm& form) {
-  Substitution result;
-  result.variable = form.variable;
-  for (const auto& [m, c] : form.terms) {
-    const Coefficient value{ratio(c.re, form.divisor), ratio(c.im, form.divisor)};
-    if (m.empty()) {
-      result.constant = value;
-    } else {
-      result.terms.emplace_back(m.front().variable, value);
-    }
-  }
-  return result;
 }
 
 /// False, and nothing changed, where a coefficient would grow beyond the limit.
@@ -212,13 +199,19 @@ State least_work(State s, const Limits& limits) {
   Mark best = mark_of(s);
   double least = log2_promise(s);
   std::set<std::size_t> refused;
+  bool is_block_tried = false;
   while (!s.contradiction && !limits.is_over()) {
-    const Census census(s);
-    const std::optional<Pivot> pivot = choose_pivot(s, census, refused, limits);
-    if (!pivot) break;
-    if (!substitute(s, *pivot, census, limits)) {
-      refused.insert(s.rows[pivot->row].origin);
-      continue;
+    if (!is_block_tried && has_long_block(s)) {
+      is_block_tried = true;
+      substitute_block(s, limits);
+    } else {
+      const Census census(s);
+      const std::optional<Pivot> pivot = choose_pivot(s, census, refused, limits);
+      if (!pivot) break;
+      if (!substitute(s, *pivot, census, limits)) {
+        refused.insert(s.rows[pivot->row].origin);
+        continue;
+      }
     }
     combine(s, limits);
     const double promise = log2_promise(s);

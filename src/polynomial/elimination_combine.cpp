@@ -42,7 +42,7 @@ void combine_degree(State& s, std::uint64_t d, const Limits& limits) {
   const std::vector<std::size_t> places = rows_of_degree(s, d);
   std::vector<const IntegerPolynomial*> originals;
   for (std::size_t i : places) originals.push_back(&s.rows[i].p());
-  if (modular_rank(originals, d) == places.size()) {
+  if (modular_rank(originals, d, limits.stop) == places.size()) {
     s.independent.insert(d);
     return;
   }

@@ -66,6 +66,20 @@ std::shared_ptr<const RowFacts> facts_of_row(IntegerPolynomial p, const Limits& 
   return equation;
 }
 
+Substitution to_substitution(const AffineForm& form) {
+  Substitution result;
+  result.variable = form.variable;
+  for (const auto& [m, c] : form.terms) {
+    const Coefficient value{ratio(c.re, form.divisor), ratio(c.im, form.divisor)};
+    if (m.empty()) {
+      result.constant = value;
+    } else {
+      result.terms.emplace_back(m.front().variable, value);
+    }
+  }
+  return result;
+}
+
 std::vector<std::uint64_t> degrees_of(const std::vector<Row>& rows) {
   std::vector<std::uint64_t> result;
   for (const Row& row : rows) result.push_back(row.degree());

@@ -71,6 +71,8 @@ struct Limits {
 /// Of an equation in its place.
 std::shared_ptr<const RowFacts> facts_of_row(IntegerPolynomial p, const Limits& limits);
 
+Substitution to_substitution(const AffineForm& form);
+
 std::vector<std::uint64_t> degrees_of(const std::vector<Row>& rows);
 
 /// Unknowns that are not eliminated.

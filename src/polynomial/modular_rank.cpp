@@ -9,11 +9,13 @@
 
 namespace moivre {
 
-std::size_t modular_rank(const std::vector<const IntegerPolynomial*>& rows, std::uint64_t degree) {
+std::size_t modular_rank(const std::vector<const IntegerPolynomial*>& rows, std::uint64_t degree,
+                         const std::atomic<bool>* stop) {
   std::map<Monomial, std::size_t, MonomialOrder> columns;
   const PrimeField field;
   ModularRows reduced(field);
   for (const IntegerPolynomial* p : rows) {
+    if (stop != nullptr && stop->load(std::memory_order_relaxed)) break;
     ModularRow row;
     for (const auto& [m, c] : p->terms) {
       if (moivre::degree(m) != degree) continue;

@@ -3,6 +3,7 @@
 // to the module.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <vector>
 
@@ -10,7 +11,9 @@
 
 namespace moivre {
 
-/// Rank modulo the prime of the parts of the given degree, rows in the order given.
-std::size_t modular_rank(const std::vector<const IntegerPolynomial*>& rows, std::uint64_t degree);
+/// Rank modulo the prime of the parts of the given degree, rows in the order given; of those before
+/// `stop` was set, where it is meanwhile.
+std::size_t modular_rank(const std::vector<const IntegerPolynomial*>& rows, std::uint64_t degree,
+                         const std::atomic<bool>* stop = nullptr);
 
 }  // namespace moivre

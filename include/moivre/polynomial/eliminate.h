@@ -7,6 +7,7 @@
 //               others' are replaced by combinations of lower degree; of degree 0 are 0 = 0
 //               (dependent) and c = 0 (inconsistent)
 //   substitute  a_j x_j + sum_k a_k x_k + b = 0 becomes x_j = -(sum_k a_k x_k + b) / a_j everywhere
+//               (as many dense equations as unknowns, of long integers, give their point at once)
 //
 // F: the m equations given, in x of C^n. R: the equations left, in the kept unknowns y of C^k.
 // restore: y -> x, affine.

@@ -61,6 +61,7 @@ class PrimeField {
     return reduced_product((a & kLow) + (a >> 61) * offset_);
   }
 
+  Residue residue(const Integer& a) const;
   Residue residue(const GaussianInteger& a) const;
   /// Throws std::invalid_argument where the prime divides a denominator.
   Residue residue(const Coefficient& a) const;
@@ -83,7 +84,6 @@ class PrimeField {
   bool is_prime() const;
   bool is_faithful_to(const System& f) const;
   void find_root_of_minus_one();
-  Residue residue(const Integer& a) const;
   Residue residue(const Rational& a) const;
 
   std::uint64_t offset_ = 31;
