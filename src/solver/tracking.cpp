@@ -109,6 +109,10 @@ PathSet raise_with(Run& run, const Tracker& tracker, PathPrecision precision, Ta
   return undecided;
 }
 
+// Of what waits so many are followed on before it is asked whether the others are needed, then
+// twice as many.
+constexpr std::size_t kFirstPart = 256;
+
 /// Whether what waits leads to no further root.
 bool needs_no_more_effort(Run& run) {
   if (run.setting.options.every_path) return false;
@@ -181,11 +185,13 @@ void track_waiting(Run& run, Effort effort) {
   const PathProblem problem{*setting.prepared.plan, setting.tracker(),
                             endgame_for(setting, effort)};
   const std::vector<std::uint64_t> waiting = waiting_by_size(run);
-  const std::size_t together = paths_together(problem);
-  for (std::size_t first = 0; first < waiting.size() && !run.interrupted; first += together) {
-    if (first > 0 && needs_no_more_effort(run)) break;
-    const std::size_t count = std::min(together, waiting.size() - first);
-    follow_on(run, problem, std::span(waiting).subspan(first, count));
+  std::span<const std::uint64_t> left(waiting);
+  for (std::size_t part = kFirstPart; !left.empty() && !run.interrupted; part *= 2) {
+    const bool is_asked_again = !setting.options.every_path && is_longest_algebra_worth_it(run);
+    const std::size_t count = is_asked_again ? std::min(part, left.size()) : left.size();
+    follow_on(run, problem, left.first(count));
+    left = left.subspan(count);
+    if (!left.empty() && needs_no_more_effort(run)) break;
   }
   run.effort = Effort::all_steps;
 }

@@ -20,8 +20,8 @@ void track_to_ends(Run& run);
 void track_all(Run& run);
 
 /// Follows on what waits, from where each stands, else from its start, and reports the progress.
-/// Where it is much, the smallest points go first, and after each part it is asked whether the rest
-/// is needed.
+/// Where that takes longer than exact algebra may, the smallest points go first, and after each
+/// part, twice as large as the one before, it is asked whether the rest is needed.
 void track_waiting(Run& run, Effort effort);
 
 /// Follows these at that tolerance level: by the fallback, where there is one.
