@@ -62,18 +62,23 @@ AffineForm constant_form(std::uint32_t variable, const Integer& numerator,
 }  // namespace
 
 bool has_long_block(const State& s) {
+  std::size_t size = 0, terms = 0;
+  for (const Row& row : s.rows) {
+    if (row.degree() != 1) continue;
+    ++size;
+    terms += row.p().terms.size();
+  }
+  if (kDenseShare * terms < size * size) return false;
   std::vector<bool> is_held(s.is_eliminated.size());
-  std::size_t size = 0, terms = 0, longest = 0;
+  std::size_t longest = 0;
   for (const Row& row : s.rows) {
     if (row.degree() != 1) continue;
     if (!is_real_and_exact(row.p())) return false;
-    ++size;
-    terms += row.p().terms.size();
     for (const auto& [m, c] : row.p().terms) longest = std::max(longest, bit_length(c.re));
     for (const Occurrence& o : row.equation->occurrences) is_held[o.variable] = true;
   }
   const auto unknowns = static_cast<std::size_t>(std::count(is_held.begin(), is_held.end(), true));
-  return longest > kWord && unknowns == size && kDenseShare * terms >= size * size;
+  return longest > kWord && unknowns == size;
 }
 
 void substitute_block(State& s, const Limits& limits) {
