@@ -51,14 +51,6 @@ Block block_of(const State& s) {
   return block;
 }
 
-AffineForm constant_form(std::uint32_t variable, const Integer& numerator,
-                         const Integer& denominator) {
-  const Integer common = common_divisor(numerator, denominator);
-  AffineForm form{variable, {}, denominator / common, {}};
-  if (!numerator.is_zero()) form.terms[Monomial{}] = {numerator / common, 0};
-  return form;
-}
-
 }  // namespace
 
 bool has_long_block(const State& s) {
@@ -88,7 +80,9 @@ void substitute_block(State& s, const Limits& limits) {
 
   std::vector<AffineForm> forms;
   for (std::size_t j = 0; j < block.variables.size(); ++j) {
-    forms.push_back(constant_form(block.variables[j], point->numerators[j], point->denominator));
+    forms.push_back({block.variables[j], {}, point->denominator, {}});
+    const Integer& numerator = point->numerators[j];
+    if (!numerator.is_zero()) forms.back().terms[Monomial{}] = {numerator, 0};
   }
   std::vector<Row> left;
   for (const Row& row : s.rows) {

@@ -284,10 +284,12 @@ bool is_longest_algebra_worth_it(const Run& run) {
 
 bool are_ends_as_many_as_bound(const Run& run) {
   const auto& [total_degree, multihomogeneous, mixed_volume] = run.setting.prepared.start.counts;
+  const std::optional<MetBound>& given = run.setting.prepared.given_bound;
   const QuotientRing& ring = run.bounds.ring;
   const std::uint64_t ends = ends_at_roots(run);
-  return ends == total_degree.paths || ends == multihomogeneous.paths ||
-         ends == mixed_volume.paths || ends == run.bounds.volume ||
+  return (given && ends == given->value) || ends == total_degree.paths ||
+         ends == multihomogeneous.paths || ends == mixed_volume.paths ||
+         ends == run.bounds.volume ||
          (ring.verdict == QuotientRing::Verdict::finite && ends == ring.dimension);
 }
 

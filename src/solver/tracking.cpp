@@ -113,9 +113,8 @@ PathSet raise_with(Run& run, const Tracker& tracker, PathPrecision precision, Ta
 // twice as many.
 constexpr std::size_t kFirstPart = 256;
 
-/// Whether what waits leads to no further root.
+/// Whether what waits leads to no further root. Not asked where every path is to be followed.
 bool needs_no_more_effort(Run& run) {
-  if (run.setting.options.every_path) return false;
   if (settle_by_bound(run)) return true;
   if (!is_longest_algebra_worth_it(run)) return false;
   if (are_ends_as_many_as_bound(run)) part_clusters_in_more_bits(run);
@@ -163,7 +162,7 @@ void track_to_ends(Run& run) {
   for (const Effort effort : {Effort::few_steps, Effort::all_steps}) {
     if (effort <= first_effort(run.setting)) continue;
     if (run.waiting.empty() || run.interrupted) return;
-    if (needs_no_more_effort(run)) return;
+    if (!run.setting.options.every_path && needs_no_more_effort(run)) return;
     track_waiting(run, effort);
   }
 }

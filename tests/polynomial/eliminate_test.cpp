@@ -15,6 +15,7 @@
 #include <numeric>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "build.h"
@@ -558,25 +559,17 @@ void expect_root(const System& f, const Point& root) {
   }
 }
 
-TEST(Elimination, DenseLinearEquationsAreSolvedExactly) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937_64 random(seed);
-    const System f = linear_equations(40, 40, random);
-    const Reduction r = eliminate(f);
-    ASSERT_EQ(r.verdict, Verdict::solved);
-    expect_root(f, restored(r, {}));
-  }
-}
-
-TEST(Elimination, SparseEquationsThatFillAreSolvedExactly) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-    SCOPED_TRACE(seed);
-    std::mt19937_64 random(seed);
-    const System f = linear_equations(80, 6, random);
-    const Reduction r = eliminate(f);
-    ASSERT_EQ(r.verdict, Verdict::solved);
-    expect_root(f, restored(r, {}));
+/// Dense, and sparse ones that fill.
+TEST(Elimination, AsManyLinearEquationsAsUnknownsAreSolvedExactly) {
+  for (const auto& [n, terms] : {std::pair(40U, 40U), std::pair(80U, 6U)}) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      SCOPED_TRACE(std::to_string(n) + " unknowns, seed " + std::to_string(seed));
+      std::mt19937_64 random(seed);
+      const System f = linear_equations(n, terms, random);
+      const Reduction r = eliminate(f);
+      ASSERT_EQ(r.verdict, Verdict::solved);
+      expect_root(f, restored(r, {}));
+    }
   }
 }
 
