@@ -258,8 +258,8 @@ TEST(DegreeForty, LanesSeeEachPathEndAtInfinity) {
   }
 }
 
-/// One unknown, and n fractions of it, by total degree: most paths go to infinity, slowly. All roots
-/// are found, by proof.
+/// One unknown, and n fractions of it, by total degree: most paths go to infinity, slowly. All
+/// roots are found, by proof.
 SolveResult solved_with_fractions(const std::string& equation, int n) {
   std::string text = std::to_string(n + 1) + "\n" + equation + ";\n";
   for (int i = 1; i <= n; ++i) {
